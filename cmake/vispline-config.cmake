@@ -1,0 +1,7 @@
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(Threads)
+find_dependency(LibLZMA)
+find_dependency(ZLIB)
+find_dependency(nlohmann_json)
+include(${CMAKE_CURRENT_LIST_DIR}/vispline-targets.cmake)

@@ -1,0 +1,128 @@
+/// SE(3): poses, tangent = twist (v, omega) with translation first, right perturbation T exp(delta).
+/// Ad, ad and all Jacobians of SE(3) are those of SO(3) over the dual numbers w + eps v (principle of transference):
+/// one 3x3 matrix A on the diagonal twice, one 3x3 matrix B above it. docs/math/lie.md, equations (10)-(16).
+#pragma once
+
+#include "vispline/core/pose.h"
+#include "vispline/core/so3.h"
+
+namespace vispline {
+
+/// The 6x6 matrix [A B; 0 A]. A product costs three 3x3 products instead of eight.
+template <class T>
+struct DualMatrix {
+  Matrix3<T> A = Matrix3<T>::Zero();
+  Matrix3<T> B = Matrix3<T>::Zero();
+
+  DualMatrix operator*(const DualMatrix& o) const { return {A * o.A, A * o.B + B * o.A}; }
+  DualMatrix operator+(const DualMatrix& o) const { return {A + o.A, B + o.B}; }
+  DualMatrix operator-(const DualMatrix& o) const { return {A - o.A, B - o.B}; }
+  DualMatrix operator-() const { return {-A, -B}; }
+  DualMatrix& operator+=(const DualMatrix& o) { return *this = *this + o; }
+  friend DualMatrix operator*(const T& s, const DualMatrix& M) { return {s * M.A, s * M.B}; }
+  Vector6<T> operator*(const Vector6<T>& x) const {
+    Vector6<T> y;
+    y.template head<3>() = A * x.template head<3>() + B * x.template tail<3>();
+    y.template tail<3>() = A * x.template tail<3>();
+    return y;
+  }
+  Matrix6<T> dense() const {
+    Matrix6<T> M;
+    M << A, B, Matrix3<T>::Zero(), A;
+    return M;
+  }
+  /// rows * [A B; 0 A].
+  template <class Rows>
+  friend Eigen::Matrix<T, Rows::RowsAtCompileTime, 6> operator*(const Eigen::MatrixBase<Rows>& rows,
+                                                                const DualMatrix& M) {
+    Eigen::Matrix<T, Rows::RowsAtCompileTime, 6> product;
+    const auto translation = rows.template leftCols<3>();
+    product.template leftCols<3>().noalias() = translation * M.A;
+    product.template rightCols<3>().noalias() = translation * M.B;
+    product.template rightCols<3>().noalias() += rows.template rightCols<3>() * M.A;
+    return product;
+  }
+};
+
+struct SE3 {
+  static constexpr int kDof = 6;
+  template <class T>
+  using Element = PoseT<T>;
+  template <class T>
+  using Tangent = Vector6<T>;
+  template <class T>
+  using Operator = DualMatrix<T>;
+
+  template <class T>
+  static Element<T> identity() {
+    return {};
+  }
+  template <class T>
+  static Operator<T> identity_operator() {
+    return {Matrix3<T>::Identity(), Matrix3<T>::Zero()};
+  }
+  template <class T>
+  static Element<T> compose(const Element<T>& A, const Element<T>& B) {
+    return A * B;
+  }
+  template <class T>
+  static Element<T> inverse(const Element<T>& X) {
+    return X.inverse();
+  }
+  template <class T>
+  static Element<T> exp(const Tangent<T>& xi) {
+    const Vector3<T> v = xi.template head<3>(), w = xi.template tail<3>();
+    const RotationSeries<T> s(w.squaredNorm());
+    return {SO3::exp(w, s), v + s.b * w.cross(v) + s.c * w.cross(w.cross(v))};
+  }
+  template <class T>
+  static Tangent<T> log(const Element<T>& X) {
+    Tangent<T> xi;
+    const Vector3<T> w = SO3::log<T>(X.R);
+    xi << SO3::left_jacobian_inverse<T>(w) * X.p, w;
+    return xi;
+  }
+  template <class T>
+  static Operator<T> Ad(const Element<T>& X) {
+    return {X.R, hat(X.p) * X.R};
+  }
+  template <class T>
+  static Operator<T> ad(const Tangent<T>& xi) {
+    return {hat<T>(xi.template tail<3>()), hat<T>(xi.template head<3>())};
+  }
+  template <class T>
+  static Tangent<T> bracket(const Tangent<T>& a, const Tangent<T>& b) {
+    const Vector3<T> va = a.template head<3>(), wa = a.template tail<3>();
+    const Vector3<T> vb = b.template head<3>(), wb = b.template tail<3>();
+    Tangent<T> c;
+    c << wa.cross(vb) + va.cross(wb), wa.cross(wb);
+    return c;
+  }
+  template <class T>
+  static Operator<T> left_jacobian(const Tangent<T>& xi) {
+    const RotationSeries<T> s(xi.template tail<3>().squaredNorm());
+    return transfer<T>(xi, s.b, s.c, s.db, s.dc);
+  }
+  template <class T>
+  static Operator<T> left_jacobian_inverse(const Tangent<T>& xi) {
+    const RotationSeries<T> s(xi.template tail<3>().squaredNorm());
+    const T g = -s.db / s.b;
+    const T dg = -s.ddb / s.b + g * g;  // (b'^2 - b b'') / b^2
+    return transfer<T>(xi, T(-0.5), g, T(0), dg);
+  }
+
+ private:
+  /// I + f W + g W^2 over the dual numbers; f, g and their derivatives are at x = |w|^2, whose dual part is 2 w.v.
+  template <class T>
+  static Operator<T> transfer(const Tangent<T>& xi, const T& f, const T& g, const T& df, const T& dg) {
+    const Vector3<T> v = xi.template head<3>(), w = xi.template tail<3>();
+    const T wv = w.dot(v);
+    const Matrix3<T> W = hat(w), W2 = hat_squared(w);
+    Matrix3<T> WV_VW = v * w.transpose() + w * v.transpose();
+    WV_VW.diagonal().array() -= T(2) * wv;
+    return {Matrix3<T>::Identity() + f * W + g * W2,
+            f * hat(v) + g * WV_VW + (T(2) * wv) * (df * W + dg * W2)};
+  }
+};
+
+}  // namespace vispline
