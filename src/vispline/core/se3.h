@@ -86,6 +86,14 @@ struct SE3 {
   static Operator<T> Ad(const Element<T>& X) {
     return {X.R, hat(X.p) * X.R};
   }
+  /// Ad(X^-1) x, without the operator.
+  template <class T>
+  static Tangent<T> Ad_inverse(const Element<T>& X, const Tangent<T>& x) {
+    const Vector3<T> v = x.template head<3>(), w = x.template tail<3>();
+    Tangent<T> y;
+    y << X.R.transpose() * (v - X.p.cross(w)), X.R.transpose() * w;
+    return y;
+  }
   template <class T>
   static Operator<T> ad(const Tangent<T>& xi) {
     return {hat<T>(xi.template tail<3>()), hat<T>(xi.template head<3>())};

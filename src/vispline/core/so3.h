@@ -146,6 +146,11 @@ struct SO3 {
   static Operator<T> Ad(const Element<T>& R) {
     return R;
   }
+  /// Ad(R^-1) x, without the operator.
+  template <class T>
+  static Tangent<T> Ad_inverse(const Element<T>& R, const Tangent<T>& x) {
+    return R.transpose() * x;
+  }
   template <class T>
   static Operator<T> ad(const Tangent<T>& w) {
     return hat(w);

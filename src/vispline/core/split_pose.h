@@ -80,6 +80,13 @@ struct SplitPose {
   static Operator<T> Ad(const Element<T>& X) {
     return {T(1), X.R};
   }
+  /// Ad(X^-1) x, without the operator.
+  template <class T>
+  static Tangent<T> Ad_inverse(const Element<T>& X, const Tangent<T>& x) {
+    Tangent<T> y;
+    y << x.template head<3>(), X.R.transpose() * x.template tail<3>();
+    return y;
+  }
   template <class T>
   static Operator<T> ad(const Tangent<T>& xi) {
     return {T(0), hat<T>(xi.template tail<3>())};

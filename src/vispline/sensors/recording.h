@@ -1,8 +1,8 @@
 /// What the instruments of a rig wrote down.
 #pragma once
 
+#include <map>
 #include <string>
-#include <vector>
 
 #include "vispline/core/signal.h"
 #include "vispline/core/types.h"
@@ -16,5 +16,9 @@ struct ImuSample {
 };
 
 using ImuSignal = Signal<ImuSample>;
+
+struct Recording {
+  std::map<std::string, ImuSignal> imus;  ///< by the name of the IMU
+};
 
 }  // namespace vispline
