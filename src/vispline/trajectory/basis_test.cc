@@ -28,7 +28,8 @@ void expect_sums_of_de_boor() {
     for (int j = 1; j < K; ++j) {
       double sum = 0.0;
       for (int m = j; m < K; ++m) sum += de_boor(K, u + K - 1 - m);
-      EXPECT_NEAR(basis.value[static_cast<std::size_t>(j - 1)], sum, 1e-14) << "order " << K << " u " << u << " j " << j;
+      EXPECT_NEAR(basis.value[static_cast<std::size_t>(j - 1)], sum, 1e-14)
+          << "order " << K << " u " << u << " j " << j;
     }
   }
 }

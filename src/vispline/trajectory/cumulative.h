@@ -26,10 +26,10 @@ struct CumulativePoint {
   using Element = typename G::template Element<T>;
   using Tangent = typename G::template Tangent<T>;
 
-  Element X;                                   ///< the curve
-  std::array<Element, kIncrements> tail;       ///< B_j, j = 1..K-1; the last is the identity
-  std::array<Tangent, kIncrements> s;          ///< s_j
-  std::array<Tangent, K> V_sum, dV_sum;        ///< prefix sums: [j] holds the first j increments
+  Element X;                              ///< the curve
+  std::array<Element, kIncrements> tail;  ///< B_j, j = 1..K-1; the last is the identity
+  std::array<Tangent, kIncrements> s;     ///< s_j
+  std::array<Tangent, K> V_sum, dV_sum;   ///< prefix sums: [j] holds the first j increments
   const CumulativeBasis<K, T>& basis;
 
   /// d: the K-1 increments log(X_{j-1}^-1 X_j) after the knot `first`.

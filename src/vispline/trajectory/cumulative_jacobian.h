@@ -68,8 +68,8 @@ std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
   std::array<Rows, K> blocks;
   const auto& basis = point.basis;
   const auto ad = [](const auto& x) { return G::template ad<double>(x); };
-  blocks[0] = L_X * G::template Ad<double>(G::template inverse<double>(
-                        G::template compose<double>(G::template exp<double>(basis.value[0] * pairs[0].d), point.tail[0])));
+  blocks[0] = L_X * G::template Ad<double>(G::template inverse<double>(G::template compose<double>(
+                        G::template exp<double>(basis.value[0] * pairs[0].d), point.tail[0])));
   for (std::size_t j = 0; j + 1 < K; ++j) {
     const Rows L_DV = L_V - L_dV * ad(point.V() - point.V_sum[j]);
     Rows L_P = L_X + L_DV * ad(point.V_sum[j]) + L_dV * ad(point.dV_sum[j]);

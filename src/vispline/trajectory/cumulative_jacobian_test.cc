@@ -36,7 +36,8 @@ void expect_jacobians(std::uint64_t seed, double step, double u) {
   const CumulativePoint<G, K> point(knots[0], d, basis);
   const auto J = cumulative_jacobian<G, K>(point, pairs.data());
 
-  const auto dual = cumulative_kinematics<G, K, Jet>(dual_knots<G, K>(knots), CumulativeBasis<K, Jet>(Jet(u), spacing_s));
+  const auto dual =
+      cumulative_kinematics<G, K, Jet>(dual_knots<G, K>(knots), CumulativeBasis<K, Jet>(Jet(u), spacing_s));
   const Element inverse = G::template inverse<double>(point.X);
   const auto eps = G::template log<Jet>(G::template compose<Jet>(inverse.template cast<Jet>(), dual.X));
   const Eigen::MatrixXd dX = derivatives<kColumns>(eps), dV = derivatives<kColumns>(dual.V),
@@ -48,9 +49,7 @@ void expect_jacobians(std::uint64_t seed, double step, double u) {
   const auto pulled = cumulative_pull_back<G, K, 2>(point, pairs.data(), L_X, L_V, L_dV);
   for (int m = 0; m < K; ++m) {
     const auto i = static_cast<std::size_t>(m);
-    const auto columns = [&](const Eigen::MatrixXd& M) {
-      return Eigen::MatrixXd(M.middleCols(m * G::kDof, G::kDof));
-    };
+    const auto columns = [&](const Eigen::MatrixXd& M) { return Eigen::MatrixXd(M.middleCols(m * G::kDof, G::kDof)); };
     EXPECT_LT(relative(dense<G>(J.X[i]), columns(dX)), 1e-12) << "dX / d knot " << m;
     EXPECT_LT(relative(dense<G>(J.V[i]), columns(dV)), 1e-12) << "dV / d knot " << m;
     EXPECT_LT(relative(dense<G>(J.dV[i]), columns(ddV)), 1e-12) << "d(dV) / d knot " << m;
@@ -102,8 +101,8 @@ TEST(CumulativeJacobian, EqualsCentralDifferences) {
           return copy.kinematics(time);
         };
         const auto plus = moved(1.0), minus = moved(-1.0);
-        const Vector6d dX = (SE3::log<double>(at.X.inverse() * plus.X) - SE3::log<double>(at.X.inverse() * minus.X)) /
-                            (2.0 * h);
+        const Vector6d dX =
+            (SE3::log<double>(at.X.inverse() * plus.X) - SE3::log<double>(at.X.inverse() * minus.X)) / (2.0 * h);
         const auto expect_column = [&](const Vector6d& ours, const Vector6d& theirs, const char* what) {
           EXPECT_LT((ours - theirs).norm(), 1e-7 * (1.0 + theirs.norm())) << what << " knot " << m << " axis " << i;
         };

@@ -89,10 +89,12 @@ void expect_kinematics_are_derivatives(double step) {
   for (const double t : {0.0613, 0.25, 0.4321, 0.5999}) {
     const Time time = Time{} + from_seconds(t);
     const auto at = spline.kinematics(time), before = spline.kinematics(time - h), after = spline.kinematics(time + h);
-    const auto difference = [&](const Tangent& a, const Tangent& b) { return Tangent((a - b) / (2.0 * to_seconds(h))); };
-    const Tangent V = difference(
-        G::template log<double>(G::template compose<double>(G::template inverse<double>(at.X), after.X)),
-        G::template log<double>(G::template compose<double>(G::template inverse<double>(at.X), before.X)));
+    const auto difference = [&](const Tangent& a, const Tangent& b) {
+      return Tangent((a - b) / (2.0 * to_seconds(h)));
+    };
+    const Tangent V =
+        difference(G::template log<double>(G::template compose<double>(G::template inverse<double>(at.X), after.X)),
+                   G::template log<double>(G::template compose<double>(G::template inverse<double>(at.X), before.X)));
     EXPECT_LT((at.V - V).norm(), 2e-6 * (1.0 + at.ddV.norm()));
     EXPECT_LT((at.dV - difference(after.V, before.V)).norm(), 1e-5 * (1.0 + at.ddV.norm()));
     if (K > 4) {

@@ -9,8 +9,8 @@
 namespace vispline {
 namespace {
 
-constexpr double kUnknownSigma = 1e-3;        // m and rad, when the data are too short to tell
-constexpr double kUnknownJerkDensity = 1e2;   // m/s^3/sqrt(Hz) and rad/s^3/sqrt(Hz)
+constexpr double kUnknownSigma = 1e-3;       // m and rad, when the data are too short to tell
+constexpr double kUnknownJerkDensity = 1e2;  // m/s^3/sqrt(Hz) and rad/s^3/sqrt(Hz)
 
 std::optional<PoseSpectrum> spectrum_of(const Signal<Pose>& poses, const TrajectoryFitOptions& options) {
   try {
@@ -94,8 +94,8 @@ TrajectoryFit fit_kind(const Signal<Pose>& poses, const std::optional<PoseSpectr
 }  // namespace
 
 bool TrajectoryFit::in_gap(Time time) const {
-  const auto after = std::upper_bound(gaps.begin(), gaps.end(), time,
-                                      [](Time t, const TimeSpan& gap) { return t < gap.begin; });
+  const auto after =
+      std::upper_bound(gaps.begin(), gaps.end(), time, [](Time t, const TimeSpan& gap) { return t < gap.begin; });
   return after != gaps.begin() && time > (after - 1)->begin && time < (after - 1)->end;
 }
 
@@ -103,8 +103,8 @@ TrajectoryFit fit_trajectory(const Signal<Pose>& poses, const TrajectoryFitOptio
   require(!poses.empty(), "at least one pose to fit a trajectory to");
   require(!options.spacing_s || *options.spacing_s > 0.0, "a positive knot spacing");
   const auto spectrum = spectrum_of(poses, options);
-  const double spacing_s = options.spacing_s ? *options.spacing_s
-                                             : std::min(spectrum->translation.spacing_s, spectrum->rotation.spacing_s);
+  const double spacing_s =
+      options.spacing_s ? *options.spacing_s : std::min(spectrum->translation.spacing_s, spectrum->rotation.spacing_s);
   return options.kind == SplineKind::kJoint ? fit_kind<SE3>(poses, spectrum, spacing_s, options.order)
                                             : fit_kind<SplitPose>(poses, spectrum, spacing_s, options.order);
 }

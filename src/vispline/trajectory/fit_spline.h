@@ -15,9 +15,9 @@ template <class G>
 struct SplineFitOptions {
   using Tangent = typename G::template Tangent<double>;
   Duration spacing{};
-  Tangent sigma = Tangent::Ones();                   ///< standard deviation of a measurement, per tangent axis
-  Tangent jerk_density = Tangent::Constant(1e3);     ///< prior: white third difference, unit/s^3/sqrt(Hz)
-  double huber = 3.0;                                ///< residual norm, in sigma, beyond which it counts linearly
+  Tangent sigma = Tangent::Ones();                ///< standard deviation of a measurement, per tangent axis
+  Tangent jerk_density = Tangent::Constant(1e3);  ///< prior: white third difference, unit/s^3/sqrt(Hz)
+  double huber = 3.0;                             ///< residual norm, in sigma, beyond which it counts linearly
   int max_iterations = 10;
 };
 
@@ -62,7 +62,8 @@ class SplineNormalEquations {
     if (!matrix_.factorize()) {
       throw Error(ExitCode::kUntrusted, {.code = "E-FIT-SINGULAR",
                                          .message = "the normal equations of the spline fit are not positive definite",
-                                         .where = "", .effect = "no curve fitted",
+                                         .where = "",
+                                         .effect = "no curve fitted",
                                          .next = "choose a larger knot spacing or check the stamps of the poses"});
     }
     const Eigen::VectorXd x = matrix_.solve(-gradient_);
@@ -92,8 +93,8 @@ std::vector<typename G::template Element<double>> initial_knots(
       continue;
     }
     const double u = to_seconds(t - measured.time[i]) / to_seconds(measured.time[i + 1] - measured.time[i]);
-    const auto d = G::template log<double>(
-        G::template compose<double>(G::template inverse<double>(X), measured.value[i + 1]));
+    const auto d =
+        G::template log<double>(G::template compose<double>(G::template inverse<double>(X), measured.value[i + 1]));
     const double clamped = std::clamp(u, 0.0, 1.0);
     result.push_back(G::template compose<double>(X, G::template exp<double>(clamped * d)));
   }
@@ -137,7 +138,8 @@ class SplineFitter {
     const Time begin = measured_.time.front();
     const Duration spacing = options_.spacing;
     const std::size_t knots = Spline<G, K>::knots_for(std::max(measured_.span().end - begin, Duration(1)), spacing);
-    return Spline<G, K>(begin, spacing, detail::initial_knots<G>(measured_, begin - spacing * (K - 2) / 2, spacing, knots));
+    return Spline<G, K>(begin, spacing,
+                        detail::initial_knots<G>(measured_, begin - spacing * (K - 2) / 2, spacing, knots));
   }
 
   Tangent residual(const Element& X, std::size_t i) const {
@@ -162,8 +164,7 @@ class SplineFitter {
     const Block J_r_inv = Block::Identity() * G::template left_jacobian_inverse<double>(-r);
     const Block L = (weight * inverse_sigma_).asDiagonal() * J_r_inv;
     const Block zero = Block::Zero();
-    equations.add(place.first,
-                  cumulative_pull_back<G, K, G::kDof>(point, &spline.pairs()[place.first], L, zero, zero),
+    equations.add(place.first, cumulative_pull_back<G, K, G::kDof>(point, &spline.pairs()[place.first], L, zero, zero),
                   weight * whitened);
   }
 
@@ -173,8 +174,9 @@ class SplineFitter {
     const double h = to_seconds(spline.spacing());
     const Block W = (options_.jerk_density * std::pow(h, 2.5)).cwiseInverse().asDiagonal();
     const Tangent r = W * (pair[2].d - 2.0 * pair[1].d + pair[0].d);
-    equations.template add<4>(k, {-(W * pair[0].Jl_inv), W * pair[0].Jr_inv + 2.0 * (W * pair[1].Jl_inv),
-                                  -2.0 * (W * pair[1].Jr_inv) - W * pair[2].Jl_inv, W * pair[2].Jr_inv},
+    equations.template add<4>(k,
+                              {-(W * pair[0].Jl_inv), W * pair[0].Jr_inv + 2.0 * (W * pair[1].Jl_inv),
+                               -2.0 * (W * pair[1].Jr_inv) - W * pair[2].Jl_inv, W * pair[2].Jr_inv},
                               r);
   }
 

@@ -108,8 +108,8 @@ class PoseSpline {
     const Instant instant(spline_, time);
     const auto& p = instant.point;
     const auto rows = BodyFrame<G>::template pull_back<kRows>({p.X, p.V(), p.dV(), {}}, d_state);
-    return {instant.place.first, cumulative_pull_back<G, K, kRows>(p, &spline_.pairs()[instant.place.first], rows.X,
-                                                                   rows.V, rows.dV)};
+    return {instant.place.first,
+            cumulative_pull_back<G, K, kRows>(p, &spline_.pairs()[instant.place.first], rows.X, rows.V, rows.dV)};
   }
 
  private:

@@ -46,8 +46,8 @@ void expect_pull_back() {
   const auto place = spline.spline().locate(time);
   std::array<Pose, K> knots;
   std::copy_n(spline.spline().knots().begin() + static_cast<std::ptrdiff_t>(place.first), K, knots.begin());
-  const auto dual = cumulative_kinematics<G, K, Jet>(
-      dual_knots<G, K>(knots), CumulativeBasis<K, Jet>(Jet(place.u), to_seconds(kSpacing)));
+  const auto dual = cumulative_kinematics<G, K, Jet>(dual_knots<G, K>(knots),
+                                                     CumulativeBasis<K, Jet>(Jet(place.u), to_seconds(kSpacing)));
   const BodyStateT<Jet> state = BodyFrame<G>::state(dual.X, dual.V, dual.dV);
   const Pose T_b_w = spline.at(time).T_w_b().inverse();
   const auto eps = SE3::log<Jet>(T_b_w.cast<Jet>() * state.T_w_b());

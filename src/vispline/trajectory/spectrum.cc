@@ -15,8 +15,8 @@
 namespace vispline {
 namespace {
 
-constexpr std::size_t kShortest = 64;    // samples of a piece worth a spectrum
-constexpr std::size_t kLongest = 2048;   // samples of one window
+constexpr std::size_t kShortest = 64;   // samples of a piece worth a spectrum
+constexpr std::size_t kLongest = 2048;  // samples of one window
 constexpr double kLongestSpacing_s = 1.0;
 constexpr double kPi = std::numbers::pi;
 
@@ -75,7 +75,7 @@ std::vector<SecondDifferences> second_differences(const Signal<Pose>& poses, dou
 }
 
 /// Welch: Hann windows with half overlap, mean over axes and windows; differences undone in the frequency domain.
-Density motion_density(const std::vector<SecondDifferences>& pieces, std::vector<Vector3d> SecondDifferences::* motion,
+Density motion_density(const std::vector<SecondDifferences>& pieces, std::vector<Vector3d> SecondDifferences::*motion,
                        double step_s) {
   std::size_t longest = 0;
   for (const auto& piece : pieces) longest = std::max(longest, (piece.*motion).size());
@@ -188,7 +188,9 @@ PoseSpectrum analyse_spectrum(const Signal<Pose>& poses, double quality) {
                 {.code = "E-FIT-SHORT",
                  .message = "no piece of " + std::to_string(kShortest) + " poses without a gap among " +
                             std::to_string(poses.size()) + " poses, too few for a spectrum",
-                 .where = "", .effect = "no knot spacing chosen", .next = "give the knot spacing"});
+                 .where = "",
+                 .effect = "no knot spacing chosen",
+                 .next = "give the knot spacing"});
   }
   return {analyse(motion_density(pieces, &SecondDifferences::translation, step_s), 2, step_s, quality),
           analyse(motion_density(pieces, &SecondDifferences::rotation, step_s), 1, step_s, quality)};

@@ -44,8 +44,8 @@ auto dual_knots(const std::array<typename G::template Element<double>, K>& knots
   for (int m = 0; m < K; ++m) {
     typename G::template Tangent<Jet> delta;
     for (int i = 0; i < G::kDof; ++i) delta(i) = Jet(0.0, m * G::kDof + i);
-    dual[static_cast<std::size_t>(m)] = G::template compose<Jet>(
-        knots[static_cast<std::size_t>(m)].template cast<Jet>(), G::template exp<Jet>(delta));
+    dual[static_cast<std::size_t>(m)] =
+        G::template compose<Jet>(knots[static_cast<std::size_t>(m)].template cast<Jet>(), G::template exp<Jet>(delta));
   }
   return dual;
 }
