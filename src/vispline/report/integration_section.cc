@@ -5,6 +5,12 @@
 namespace vispline::report {
 namespace {
 
+/// Whole rates without decimals.
+Cell rate_cell(double rate_hz) {
+  const auto whole = static_cast<std::int64_t>(rate_hz);
+  return static_cast<double>(whole) == rate_hz ? Cell(whole) : Cell(rate_hz);
+}
+
 Table table_of(const std::vector<IntegrationRow>& rows) {
   Table table{.caption = "Error of dead reckoning against the truth; order from the largest errors at two rates",
               .columns = {{.header = "method", .unit = "", .numeric = false},
@@ -17,8 +23,8 @@ Table table_of(const std::vector<IntegrationRow>& rows) {
               .rows = {}};
   for (const IntegrationRow& row : rows) {
     const DeadReckoningError& e = row.error;
-    table.rows.push_back({row.method, row.rate_hz, e.final_error_m, e.max_error_m, e.rmse_m, e.attitude_error_deg,
-                          row.order ? Cell(*row.order) : Cell(std::string())});
+    table.rows.push_back({row.method, rate_cell(row.rate_hz), e.final_error_m, e.max_error_m, e.rmse_m,
+                          e.attitude_error_deg, row.order ? Cell(*row.order) : Cell(std::string())});
   }
   return table;
 }

@@ -9,6 +9,8 @@
 namespace vispline {
 namespace {
 
+constexpr double kOutlier = 10.0;  // usual residuals
+constexpr int kPasses = 4;
 constexpr double kUnknownSigma = 1e-3;       // m and rad, when the data are too short to tell
 constexpr double kUnknownJerkDensity = 1e2;  // m/s^3/sqrt(Hz) and rad/s^3/sqrt(Hz)
 
@@ -61,33 +63,62 @@ FitResidual summary(const Residuals& residuals, Eigen::Index first) {
   return result;
 }
 
+/// Poses, and what is known of their noise and motion. Outliers are taken out one fit at a time: they spoil the
+/// spectrum, and with it the fit that would tell them.
+struct Measured {
+  Signal<Pose> poses;
+  std::optional<PoseSpectrum> spectrum;
+  double spacing_s;
+
+  Measured(Signal<Pose> p, const TrajectoryFitOptions& options)
+      : poses(std::move(p)),
+        spectrum(spectrum_of(poses, options)),
+        spacing_s(options.spacing_s ? *options.spacing_s
+                                    : std::min(spectrum->translation.spacing_s, spectrum->rotation.spacing_s)) {}
+};
+
+Signal<Pose> without_outliers(const Signal<Pose>& poses, const std::vector<double>& size) {
+  Signal<Pose> kept;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (size[i] <= kOutlier) kept.push_back(poses.time[i], poses.value[i]);
+  }
+  return kept;
+}
+
 template <class G, int K>
-TrajectoryFit fit_as(const Signal<Pose>& poses, const std::optional<PoseSpectrum>& spectrum, double spacing_s) {
-  const auto options = spline_options<G>(spectrum, spacing_s);
-  SplineFit<G, K> fit = SplineFitter<G, K>(poses, options).run();
-  const std::size_t knots = fit.spline.knots().size();
-  return {Trajectory(PoseSpline<G, K>(std::move(fit.spline))),
-          spacing_s,
-          knots,
-          spectrum,
-          summary(fit.residual, 0),
-          summary(fit.residual, 3),
-          gaps_of(poses, spectrum, spacing_s),
-          fit.iterations,
-          fit.converged};
+TrajectoryFit fit_as(const Signal<Pose>& poses, const TrajectoryFitOptions& options) {
+  Measured measured(poses, options);
+  for (int pass = 1;; ++pass) {
+    const auto spline = spline_options<G>(measured.spectrum, measured.spacing_s);
+    SplineFit<G, K> fit = SplineFitter<G, K>(measured.poses, spline).run();
+    Signal<Pose> kept = without_outliers(measured.poses, fit.size);
+    if (pass < kPasses && kept.size() < measured.poses.size()) {
+      measured = Measured(std::move(kept), options);
+      continue;
+    }
+    const std::size_t knots = fit.spline.knots().size();
+    return {Trajectory(PoseSpline<G, K>(std::move(fit.spline))),
+            measured.spacing_s,
+            knots,
+            measured.spectrum,
+            summary(fit.residual, 0),
+            summary(fit.residual, 3),
+            gaps_of(measured.poses, measured.spectrum, measured.spacing_s),
+            poses.size() - measured.poses.size(),
+            fit.iterations,
+            fit.converged};
+  }
 }
 
 template <class G>
-TrajectoryFit fit_kind(const Signal<Pose>& poses, const std::optional<PoseSpectrum>& spectrum, double spacing_s,
-                       int order) {
-  switch (order) {
+TrajectoryFit fit_kind(const Signal<Pose>& poses, const TrajectoryFitOptions& options) {
+  switch (options.order) {
     case 4:
-      return fit_as<G, 4>(poses, spectrum, spacing_s);
+      return fit_as<G, 4>(poses, options);
     case 5:
-      return fit_as<G, 5>(poses, spectrum, spacing_s);
+      return fit_as<G, 5>(poses, options);
     default:
-      require(order == 6, "a spline order of 4, 5 or 6");
-      return fit_as<G, 6>(poses, spectrum, spacing_s);
+      return fit_as<G, 6>(poses, options);
   }
 }
 
@@ -102,11 +133,8 @@ bool TrajectoryFit::in_gap(Time time) const {
 TrajectoryFit fit_trajectory(const Signal<Pose>& poses, const TrajectoryFitOptions& options) {
   require(!poses.empty(), "at least one pose to fit a trajectory to");
   require(!options.spacing_s || *options.spacing_s > 0.0, "a positive knot spacing");
-  const auto spectrum = spectrum_of(poses, options);
-  const double spacing_s =
-      options.spacing_s ? *options.spacing_s : std::min(spectrum->translation.spacing_s, spectrum->rotation.spacing_s);
-  return options.kind == SplineKind::kJoint ? fit_kind<SE3>(poses, spectrum, spacing_s, options.order)
-                                            : fit_kind<SplitPose>(poses, spectrum, spacing_s, options.order);
+  require(options.order >= 4 && options.order <= 6, "a spline order of 4, 5 or 6");
+  return options.kind == SplineKind::kJoint ? fit_kind<SE3>(poses, options) : fit_kind<SplitPose>(poses, options);
 }
 
 }  // namespace vispline

@@ -34,6 +34,7 @@ struct TrajectoryFit {
   FitResidual position_m;
   FitResidual rotation_rad;
   std::vector<TimeSpan> gaps;  ///< between poses too far apart to know the motion: the curve there is only a guess
+  std::size_t outliers = 0;    ///< poses more than ten usual residuals from the curve: left out
   int iterations = 0;
   bool converged = false;
 

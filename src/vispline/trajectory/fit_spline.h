@@ -2,6 +2,7 @@
 /// normal equations: memory and time are linear in the length of the data. docs/math/fit.md, equations (1)-(6).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -17,14 +18,15 @@ struct SplineFitOptions {
   Duration spacing{};
   Tangent sigma = Tangent::Ones();                ///< standard deviation of a measurement, per tangent axis
   Tangent jerk_density = Tangent::Constant(1e3);  ///< prior: white third difference, unit/s^3/sqrt(Hz)
-  double huber = 3.0;                             ///< residual norm, in sigma, beyond which it counts linearly
-  int max_iterations = 10;
+  double huber = 3.0;                             ///< residuals this many times the usual one count linearly
+  int max_iterations = 50;
 };
 
 template <class G, int K>
 struct SplineFit {
   Spline<G, K> spline;
   std::vector<typename G::template Tangent<double>> residual;  ///< log(measured^-1 fitted), per measurement
+  std::vector<double> size;                                    ///< of each residual, as a multiple of the usual one
   int iterations = 0;
   bool converged = false;
 };
@@ -56,6 +58,11 @@ class SplineNormalEquations {
         }
       }
     }
+  }
+
+  /// Holds directions that no measurement sees where they are.
+  void damp(const Tangent& weight) {
+    for (Eigen::Index i = 0; i < gradient_.size(); ++i) matrix_(i, i) += weight(i % kDof);
   }
 
   std::vector<Tangent> solve() {
@@ -115,17 +122,20 @@ class SplineFitter {
   }
 
   SplineFit<G, K> run() const {
-    SplineFit<G, K> fit{start(), {}, 0, false};
+    SplineFit<G, K> fit{start(), {}, {}, 0, false};
     while (!fit.converged && fit.iterations < options_.max_iterations) {
       ++fit.iterations;
-      const std::vector<Tangent> delta = step(fit.spline);
+      const double scale = residual_scale(fit.spline);
+      const std::vector<Tangent> delta = step(fit.spline, options_.huber * scale);
       fit.spline.retract(delta);
       double largest = 0.0;
       for (const Tangent& d : delta) largest = std::max(largest, d.cwiseProduct(inverse_sigma_).cwiseAbs().maxCoeff());
-      fit.converged = largest < 1e-2;
+      fit.converged = largest < 1e-2 * scale;
     }
+    const double scale = residual_scale(fit.spline);
     for (std::size_t i = 0; i < measured_.size(); ++i) {
       fit.residual.push_back(residual(fit.spline.element(measured_.time[i]), i));
+      fit.size.push_back(whitened_norm(fit.residual.back()) / scale);
     }
     return fit;
   }
@@ -146,21 +156,39 @@ class SplineFitter {
     return G::template log<double>(G::template compose<double>(G::template inverse<double>(measured_.value[i]), X));
   }
 
-  std::vector<Tangent> step(const Spline<G, K>& spline) const {
+  /// Norm of a residual in sigma per axis.
+  double whitened_norm(const Tangent& r) const {
+    return r.cwiseProduct(inverse_sigma_).norm() / std::sqrt(static_cast<double>(G::kDof));
+  }
+
+  /// Median residual in sigma, at least 1: where the knots are too far apart for the noise, most residuals are larger
+  /// and none of them is an outlier for it.
+  double residual_scale(const Spline<G, K>& spline) const {
+    std::vector<double> norms;
+    for (std::size_t i = 0; i < measured_.size(); ++i) {
+      norms.push_back(whitened_norm(residual(spline.element(measured_.time[i]), i)));
+    }
+    const auto middle = norms.begin() + static_cast<std::ptrdiff_t>(norms.size() / 2);
+    std::nth_element(norms.begin(), middle, norms.end());
+    return std::max(1.0, *middle);
+  }
+
+  std::vector<Tangent> step(const Spline<G, K>& spline, double huber) const {
     Equations equations(spline.knots().size());
-    for (std::size_t i = 0; i < measured_.size(); ++i) add_measurement(spline, i, equations);
+    for (std::size_t i = 0; i < measured_.size(); ++i) add_measurement(spline, i, huber, equations);
     for (std::size_t k = 0; k + 3 < spline.knots().size(); ++k) add_prior(spline, k, equations);
+    equations.damp(1e-10 * inverse_sigma_.cwiseAbs2());
     return equations.solve();
   }
 
-  void add_measurement(const Spline<G, K>& spline, std::size_t i, Equations& equations) const {
+  void add_measurement(const Spline<G, K>& spline, std::size_t i, double huber, Equations& equations) const {
     const auto place = spline.locate(measured_.time[i]);
     const auto basis = spline.basis(place);
     const auto point = spline.point(place, basis);
     const Tangent r = residual(point.X, i);
     const Tangent whitened = r.cwiseProduct(inverse_sigma_);
-    const double norm = whitened.norm() / std::sqrt(static_cast<double>(G::kDof));
-    const double weight = norm > options_.huber ? std::sqrt(options_.huber / norm) : 1.0;
+    const double norm = whitened_norm(r);
+    const double weight = norm > huber ? std::sqrt(huber / norm) : 1.0;
     const Block J_r_inv = Block::Identity() * G::template left_jacobian_inverse<double>(-r);
     const Block L = (weight * inverse_sigma_).asDiagonal() * J_r_inv;
     const Block zero = Block::Zero();

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kShortest = 64;   // samples of a piece worth a spectrum
 constexpr std::size_t kLongest = 2048;  // samples of one window
 constexpr double kLongestSpacing_s = 1.0;
+constexpr double kLeastSigma = 1e-9;  // m or rad: poses are never better known
 constexpr double kPi = std::numbers::pi;
 
 /// Power spectral density, one value per frequency i / (samples * dt), one-sided, unit^2/Hz.
@@ -108,19 +109,6 @@ Density motion_density(const std::vector<SecondDifferences>& pieces, std::vector
   return density;
 }
 
-/// Share of sum (2 pi f)^(2 derivative) S(f) that splines of this spacing lose.
-double lost_energy(const Density& signal, int derivative, double spacing_s) {
-  double lost = 0.0, total = 0.0;
-  for (std::size_t i = 1; i < signal.value.size(); ++i) {
-    const double f = signal.frequency(i);
-    const double energy = std::pow(2.0 * kPi * f, 2 * derivative) * signal.value[i];
-    const double missing = 1.0 - cubic_spline_response(f * spacing_s);
-    lost += energy * missing * missing;
-    total += energy;
-  }
-  return total > 0.0 ? lost / total : 0.0;
-}
-
 /// Mean over a third of an octave about the frequency of bin i.
 double smoothed(const Density& density, std::size_t i) {
   const std::size_t begin = i - i / 8, end = std::min(i + i / 8, density.value.size() - 1);
@@ -130,8 +118,8 @@ double smoothed(const Density& density, std::size_t i) {
 }
 
 /// The knee: motion falls faster than f^-4 and measurement noise does not, so f^4 S(f) has a minimum where they meet.
-/// Of the minima that stand out by a factor of two on both sides, the one at the highest frequency; the end of the band
-/// if there is none, as in data without noise.
+/// Of the minima that stand out by a factor of two on both sides, the one at the highest frequency. The lowest
+/// frequency if there is nothing but noise, the end of the band if there is no noise.
 std::size_t knee(const Density& density) {
   constexpr double kProminence = 2.0;
   const std::size_t end = density.value.size() * 9 / 10;
@@ -148,26 +136,107 @@ std::size_t knee(const Density& density) {
     }
     highest_right = std::max(highest_right, value);
   }
-  return end;
+  return right_of_least > kProminence * least ? at : end;
+}
+
+/// Motion and noise told apart at the knee.
+struct Parts {
+  Density signal, noise;
+  double noise_level;  ///< of the noise below the knee
+};
+
+Parts split(const Density& density, std::size_t cut) {
+  const double level = 0.5 * smoothed(density, cut);
+  Parts parts{density, density, level};
+  for (std::size_t i = 0; i < density.value.size(); ++i) {
+    parts.noise.value[i] = i <= cut ? level : density.value[i];
+    parts.signal.value[i] = i <= cut ? std::max(density.value[i] - level, 0.0) : 0.0;
+  }
+  return parts;
+}
+
+double energy_weight(const Density& density, std::size_t i, int derivative) {
+  return std::pow(2.0 * kPi * density.frequency(i), 2 * derivative);
+}
+
+/// Mean square error of the derivative after a smoothing spline with the response 1 / (1 + (f / cutoff)^6).
+double expected_error(const Parts& parts, int derivative, double cutoff_hz) {
+  double error = 0.0;
+  for (std::size_t i = 1; i < parts.signal.value.size(); ++i) {
+    const double response = 1.0 / (1.0 + std::pow(parts.signal.frequency(i) / cutoff_hz, 6));
+    const double missing = 1.0 - response;
+    error += energy_weight(parts.signal, i, derivative) *
+             (missing * missing * parts.signal.value[i] + response * response * parts.noise.value[i]);
+  }
+  return error;
+}
+
+/// The cutoff with the least expected error, on a grid of 32 to the octave from the first bin to twice the band.
+double cutoff_for(const Parts& parts, int derivative) {
+  const double lowest = parts.signal.frequency(1), highest = 2.0 * parts.signal.frequency(parts.signal.value.size());
+  double best = highest, least = std::numeric_limits<double>::infinity();
+  for (double cutoff = lowest; cutoff <= highest; cutoff *= std::exp2(1.0 / 32.0)) {
+    const double error = expected_error(parts, derivative, cutoff);
+    if (error < least) {
+      least = error;
+      best = cutoff;
+    }
+  }
+  return best;
+}
+
+/// Energy of the derivative that splines of this spacing lose.
+double lost_energy(const Density& signal, int derivative, double spacing_s) {
+  double lost = 0.0;
+  for (std::size_t i = 1; i < signal.value.size(); ++i) {
+    const double missing = 1.0 - cubic_spline_response(signal.frequency(i) * spacing_s);
+    lost += energy_weight(signal, i, derivative) * signal.value[i] * missing * missing;
+  }
+  return lost;
+}
+
+double total_energy(const Density& signal, int derivative) {
+  double total = 0.0;
+  for (std::size_t i = 1; i < signal.value.size(); ++i) total += energy_weight(signal, i, derivative) * signal.value[i];
+  return total;
+}
+
+/// Loses no more than the quality allows, and adds next to nothing to the error that noise leaves anyway.
+double largest_spacing_s(const Parts& parts, int derivative, double cutoff_hz, double step_s, double quality) {
+  constexpr double kShareOfError = 0.01;
+  const auto good = [&](double spacing_s) {
+    if (lost_energy(parts.signal, derivative, spacing_s) > (1.0 - quality) * total_energy(parts.signal, derivative)) {
+      return false;
+    }
+    for (const int order : {0, derivative}) {
+      if (lost_energy(parts.signal, order, spacing_s) > kShareOfError * expected_error(parts, order, cutoff_hz)) {
+        return false;
+      }
+    }
+    return true;
+  };
+  double low = step_s, high = kLongestSpacing_s;  // the loss grows with the spacing
+  for (int i = 0; i < 40; ++i) {
+    const double middle = std::sqrt(low * high);
+    (good(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Good for the derivative, and no stronger smoothing than is good for the motion itself.
+double best_cutoff_hz(const Parts& parts, int derivative) {
+  return std::max(cutoff_for(parts, 0), cutoff_for(parts, derivative));
 }
 
 MotionSpectrum analyse(const Density& density, int derivative, double step_s, double quality) {
   const std::size_t cut = knee(density);
-  const double noise = 0.5 * smoothed(density, cut);
-  Density signal{density.resolution_hz, std::vector<double>(density.value.size(), 0.0)};
-  for (std::size_t i = 1; i <= cut; ++i) signal.value[i] = std::max(density.value[i] - noise, 0.0);
-
-  MotionSpectrum spectrum;
-  spectrum.noise_sigma = std::sqrt(0.5 * noise / step_s);
-  spectrum.bandwidth_hz = density.frequency(cut);
-  spectrum.jerk_density = std::sqrt(0.5 * noise) * std::pow(2.0 * kPi * spectrum.bandwidth_hz, 3);
-  double low = step_s, high = kLongestSpacing_s;  // lost_energy grows with the spacing
-  for (int i = 0; i < 40; ++i) {
-    const double middle = std::sqrt(low * high);
-    (lost_energy(signal, derivative, middle) <= 1.0 - quality ? low : high) = middle;
-  }
-  spectrum.spacing_s = low;
-  return spectrum;
+  const Parts parts = split(density, cut);
+  const double two_sided_noise = std::max(0.5 * parts.noise_level, kLeastSigma * kLeastSigma * step_s);
+  const double cutoff_hz = best_cutoff_hz(parts, derivative);
+  return {.noise_sigma = std::sqrt(two_sided_noise / step_s),
+          .bandwidth_hz = density.frequency(cut),
+          .jerk_density = std::sqrt(two_sided_noise) * std::pow(2.0 * kPi * cutoff_hz, 3),
+          .spacing_s = largest_spacing_s(parts, derivative, cutoff_hz, step_s, quality)};
 }
 
 }  // namespace

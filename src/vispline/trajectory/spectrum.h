@@ -9,10 +9,11 @@ namespace vispline {
 
 /// One kind of motion, averaged over its three axes. `unit` is m for translation, rad for rotation.
 struct MotionSpectrum {
-  double noise_sigma = 0.0;   ///< standard deviation of the white measurement noise, unit
+  double noise_sigma = 0.0;   ///< of measurement noise that is white as at the bandwidth, unit
   double bandwidth_hz = 0.0;  ///< where the motion sinks below the noise
-  double jerk_density = 0.0;  ///< white third derivative whose spectrum meets the noise there, unit/s^3/sqrt(Hz)
+  double jerk_density = 0.0;  ///< prior of the fit with the least expected error of the derivative, unit/s^3/sqrt(Hz)
   double spacing_s = 0.0;     ///< largest knot spacing that keeps `quality` of the energy of the motion's derivative
+                              ///< and adds at most 1 % to the error (variance) that the noise leaves
 };
 
 struct PoseSpectrum {
