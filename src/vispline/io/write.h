@@ -1,0 +1,39 @@
+/// Signals to files that the next tool reads. docs/formats.md.
+#pragma once
+
+#include <string>
+
+#include "vispline/core/pose.h"
+#include "vispline/core/signal.h"
+#include "vispline/io/euroc_groundtruth.h"
+#include "vispline/io/output_file.h"
+#include "vispline/sensors/recording.h"
+
+namespace vispline {
+
+/// EuRoC imu0 CSV in blocks: a day of samples never stands in memory.
+class ImuCsvWriter {
+ public:
+  explicit ImuCsvWriter(std::string path, OutputOptions options = {});
+  /// The stamps must follow those of the block before.
+  void write(const ImuSignal& block);
+  /// The file has no name until then.
+  void publish() { file_.publish(); }
+
+ private:
+  OutputFile file_;
+  std::string text_;
+};
+
+/// About how many bytes `rows` rows of EuRoC imu0 CSV take; for probe_output.
+std::uint64_t imu_csv_bytes(std::uint64_t rows);
+
+void write_imu_csv(const std::string& path, const ImuSignal& imu, OutputOptions options = {});
+/// TUM text: `timestamp tx ty tz qx qy qz qw`.
+void write_trajectory_tum(const std::string& path, const Signal<Pose>& T_w_b, OutputOptions options = {});
+/// The 8 columns of EuRoC and TUM-VI: ns, position, quaternion with w first.
+void write_trajectory_euroc(const std::string& path, const Signal<Pose>& T_w_b, OutputOptions options = {});
+/// The 17 columns of EuRoC ground truth.
+void write_groundtruth_euroc(const std::string& path, const Signal<GroundTruth>& states, OutputOptions options = {});
+
+}  // namespace vispline
