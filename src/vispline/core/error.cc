@@ -7,14 +7,30 @@ namespace vispline {
 namespace {
 constexpr std::int64_t kMaxExamples = 3;
 constexpr std::size_t kMaxQuotedBytes = 200;
+
+/// Control bytes as \xNN: no text can move the cursor of a terminal or forge a line of a log.
+std::string printable(std::string_view raw) {
+  std::string text;
+  for (const unsigned char c : raw) {
+    if (c >= 0x20 && c != 0x7f) {
+      text += static_cast<char>(c);
+      continue;
+    }
+    char escaped[5];
+    std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned>(c));
+    text += escaped;
+  }
+  return text;
+}
 }  // namespace
 
 std::string to_text(const Diagnostic& diagnostic) {
   const bool is_error = diagnostic.code.starts_with("E-");
-  std::string text = std::string(is_error ? "error[" : "warning[") + diagnostic.code + "]: " + diagnostic.message;
-  if (!diagnostic.where.empty()) text += "\n  where:  " + diagnostic.where;
-  if (!diagnostic.effect.empty()) text += "\n  effect: " + diagnostic.effect;
-  if (!diagnostic.next.empty()) text += "\n  next:   " + diagnostic.next;
+  std::string text =
+      std::string(is_error ? "error[" : "warning[") + diagnostic.code + "]: " + printable(diagnostic.message);
+  if (!diagnostic.where.empty()) text += "\n  where:  " + printable(diagnostic.where);
+  if (!diagnostic.effect.empty()) text += "\n  effect: " + printable(diagnostic.effect);
+  if (!diagnostic.next.empty()) text += "\n  next:   " + printable(diagnostic.next);
   return text;
 }
 
@@ -50,17 +66,7 @@ std::int64_t ReadCounts::dropped_total() const {
 }
 
 std::string quoted(std::string_view untrusted) {
-  std::string text = "'";
-  for (const unsigned char c : untrusted.substr(0, kMaxQuotedBytes)) {
-    if (c >= 0x20 && c != 0x7f) {
-      text += static_cast<char>(c);
-      continue;
-    }
-    char escaped[5];
-    std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned>(c));
-    text += escaped;
-  }
-  return text + (untrusted.size() > kMaxQuotedBytes ? "...'" : "'");
+  return "'" + printable(untrusted.substr(0, kMaxQuotedBytes)) + (untrusted.size() > kMaxQuotedBytes ? "...'" : "'");
 }
 
 }  // namespace vispline

@@ -26,6 +26,12 @@ TEST(Diagnostic, TextHasOneLinePerKnownPart) {
   EXPECT_EQ(to_text(gap(7)), "warning[W-GAP]: no sample for 0.5 s\n  where:  imu.csv:7");
 }
 
+TEST(Diagnostic, TextHasNoControlBytes) {
+  const std::string text =
+      to_text({.code = "E-OPEN", .message = "no a\nb", .where = "\x1b[31m", .effect = "tab\t", .next = "\x7f µ"});
+  EXPECT_EQ(text, "error[E-OPEN]: no a\\x0Ab\n  where:  \\x1B[31m\n  effect: tab\\x09\n  next:   \\x7F µ");
+}
+
 TEST(Error, CarriesItsDiagnosticAndExitCode) {
   const Error error(ExitCode::kInput,
                     {.code = "E-OPEN", .message = "no such file", .where = "a.csv", .effect = "", .next = ""});

@@ -53,6 +53,18 @@ struct Rn {
     return T(0);
   }
   template <class T>
+  static Operator<T> ad_times(const Tangent<T>&, const Operator<T>&) {
+    return T(0);
+  }
+  template <class T>
+  static Operator<T> times_ad(const Operator<T>&, const Tangent<T>&) {
+    return T(0);
+  }
+  template <class Rows, class T>
+  static auto times_ad(const Eigen::MatrixBase<Rows>& rows, const Eigen::Matrix<T, N, 1>&) {
+    return Eigen::Matrix<T, Rows::RowsAtCompileTime, N>::Zero(rows.rows(), N);
+  }
+  template <class T>
   static Tangent<T> bracket(const Tangent<T>&, const Tangent<T>&) {
     return Tangent<T>::Zero();
   }

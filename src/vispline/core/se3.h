@@ -14,7 +14,18 @@ struct DualMatrix {
   Matrix3<T> A = Matrix3<T>::Zero();
   Matrix3<T> B = Matrix3<T>::Zero();
 
-  DualMatrix operator*(const DualMatrix& o) const { return {A * o.A, A * o.B + B * o.A}; }
+  /// Written out: compilers do better with it than with four Eigen expressions.
+  DualMatrix operator*(const DualMatrix& o) const {
+    DualMatrix product;
+    for (int c = 0; c < 3; ++c) {
+      for (int r = 0; r < 3; ++r) {
+        product.A(r, c) = A(r, 0) * o.A(0, c) + A(r, 1) * o.A(1, c) + A(r, 2) * o.A(2, c);
+        product.B(r, c) = A(r, 0) * o.B(0, c) + A(r, 1) * o.B(1, c) + A(r, 2) * o.B(2, c) + B(r, 0) * o.A(0, c) +
+                          B(r, 1) * o.A(1, c) + B(r, 2) * o.A(2, c);
+      }
+    }
+    return product;
+  }
   DualMatrix operator+(const DualMatrix& o) const { return {A + o.A, B + o.B}; }
   DualMatrix operator-(const DualMatrix& o) const { return {A - o.A, B - o.B}; }
   DualMatrix operator-() const { return {-A, -B}; }
@@ -99,6 +110,25 @@ struct SE3 {
     return {hat<T>(xi.template tail<3>()), hat<T>(xi.template head<3>())};
   }
   template <class T>
+  static Operator<T> ad_times(const Tangent<T>& xi, const Operator<T>& M) {
+    const Vector3<T> v = xi.template head<3>(), w = xi.template tail<3>();
+    return {hat_times(w, M.A), hat_times(w, M.B) + hat_times(v, M.A)};
+  }
+  template <class T>
+  static Operator<T> times_ad(const Operator<T>& M, const Tangent<T>& xi) {
+    const Vector3<T> v = xi.template head<3>(), w = xi.template tail<3>();
+    return {times_hat(M.A, w), times_hat(M.B, w) + times_hat(M.A, v)};
+  }
+  template <class Rows, class T>
+  static auto times_ad(const Eigen::MatrixBase<Rows>& rows, const Vector6<T>& xi) {
+    const Vector3<T> v = xi.template head<3>(), w = xi.template tail<3>();
+    Eigen::Matrix<T, Rows::RowsAtCompileTime, 6> product;
+    product.template leftCols<3>() = times_hat(rows.template leftCols<3>(), w);
+    product.template rightCols<3>() =
+        times_hat(rows.template leftCols<3>(), v) + times_hat(rows.template rightCols<3>(), w);
+    return product;
+  }
+  template <class T>
   static Tangent<T> bracket(const Tangent<T>& a, const Tangent<T>& b) {
     const Vector3<T> va = a.template head<3>(), wa = a.template tail<3>();
     const Vector3<T> vb = b.template head<3>(), wb = b.template tail<3>();
@@ -128,8 +158,7 @@ struct SE3 {
     const Matrix3<T> W = hat(w), W2 = hat_squared(w);
     Matrix3<T> WV_VW = v * w.transpose() + w * v.transpose();
     WV_VW.diagonal().array() -= T(2) * wv;
-    return {Matrix3<T>::Identity() + f * W + g * W2,
-            f * hat(v) + g * WV_VW + (T(2) * wv) * (df * W + dg * W2)};
+    return {Matrix3<T>::Identity() + f * W + g * W2, f * hat(v) + g * WV_VW + (T(2) * wv) * (df * W + dg * W2)};
   }
 };
 

@@ -23,6 +23,28 @@ Vector3<T> vee(const Matrix3<T>& A) {
   return T(0.5) * Vector3<T>(A(2, 1) - A(1, 2), A(0, 2) - A(2, 0), A(1, 0) - A(0, 1));
 }
 
+/// hat(w) M, without the matrix.
+template <class T>
+Matrix3<T> hat_times(const Vector3<T>& w, const Matrix3<T>& M) {
+  Matrix3<T> product;
+  for (int c = 0; c < 3; ++c) {
+    product(0, c) = w.y() * M(2, c) - w.z() * M(1, c);
+    product(1, c) = w.z() * M(0, c) - w.x() * M(2, c);
+    product(2, c) = w.x() * M(1, c) - w.y() * M(0, c);
+  }
+  return product;
+}
+
+/// rows hat(w), without the matrix.
+template <class Rows, class T>
+Eigen::Matrix<T, Rows::RowsAtCompileTime, 3> times_hat(const Eigen::MatrixBase<Rows>& rows, const Vector3<T>& w) {
+  Eigen::Matrix<T, Rows::RowsAtCompileTime, 3> product;
+  product.col(0) = w.z() * rows.col(1) - w.y() * rows.col(2);
+  product.col(1) = w.x() * rows.col(2) - w.z() * rows.col(0);
+  product.col(2) = w.y() * rows.col(0) - w.x() * rows.col(1);
+  return product;
+}
+
 namespace detail {
 
 inline constexpr int kSeriesTerms = 10;
@@ -154,6 +176,15 @@ struct SO3 {
   template <class T>
   static Operator<T> ad(const Tangent<T>& w) {
     return hat(w);
+  }
+  /// ad(w) M and M ad(w) (M an operator, or rows), without the operator ad(w).
+  template <class T>
+  static Operator<T> ad_times(const Tangent<T>& w, const Operator<T>& M) {
+    return hat_times(w, M);
+  }
+  template <class Rows, class T>
+  static auto times_ad(const Eigen::MatrixBase<Rows>& rows, const Vector3<T>& w) {
+    return times_hat(rows, w);
   }
   /// ad(a) b, the Lie bracket.
   template <class T>

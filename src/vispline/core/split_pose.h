@@ -92,6 +92,22 @@ struct SplitPose {
     return {T(0), hat<T>(xi.template tail<3>())};
   }
   template <class T>
+  static Operator<T> ad_times(const Tangent<T>& xi, const Operator<T>& M) {
+    return {T(0), hat_times<T>(xi.template tail<3>(), M.R)};
+  }
+  template <class T>
+  static Operator<T> times_ad(const Operator<T>& M, const Tangent<T>& xi) {
+    return {T(0), times_hat<Matrix3<T>, T>(M.R, xi.template tail<3>())};
+  }
+  template <class Rows, class T>
+  static auto times_ad(const Eigen::MatrixBase<Rows>& rows, const Vector6<T>& xi) {
+    const Vector3<T> w = xi.template tail<3>();
+    Eigen::Matrix<T, Rows::RowsAtCompileTime, 6> product;
+    product.template leftCols<3>().setZero();
+    product.template rightCols<3>() = times_hat(rows.template rightCols<3>(), w);
+    return product;
+  }
+  template <class T>
   static Tangent<T> bracket(const Tangent<T>& a, const Tangent<T>& b) {
     Tangent<T> c = Tangent<T>::Zero();
     c.template tail<3>() = a.template tail<3>().cross(b.template tail<3>());

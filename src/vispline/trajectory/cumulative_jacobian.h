@@ -10,51 +10,72 @@
 namespace vispline {
 
 /// What an increment d_j = log(X_{j-1}^-1 X_j) contributes to every evaluation near it: computed once per iterate.
+///   delta d = J_r^-1(d) delta_j - J_l^-1(d) delta_{j-1},   J_l^-1 = J_r^-1 - ad(d)
 template <class G>
 struct KnotPair {
   typename G::template Tangent<double> d;
-  typename G::template Operator<double> Jr_inv;  ///< J_r^-1(d): delta d = J_r^-1 delta_j - J_l^-1 delta_{j-1}
-  typename G::template Operator<double> Jl_inv;
+  typename G::template Operator<double> Jr_inv;
 
   KnotPair(const typename G::template Element<double>& previous, const typename G::template Element<double>& next)
       : d(G::template log<double>(G::template compose<double>(G::template inverse<double>(previous), next))),
-        Jr_inv(G::template left_jacobian_inverse<double>(-d)),
-        Jl_inv(G::template left_jacobian_inverse<double>(d)) {}
+        Jr_inv(G::template left_jacobian_inverse<double>(-d)) {}
 };
 
 /// d(X, V, dV)/d delta_m for the K knots of a segment, X perturbed on the right. Each is an Operator of the group:
-/// dense() gives the matrix.
+/// dense() gives the matrix. V is filled from kDerivatives = 1 on, dV from 2 on.
 template <class G, int K>
 struct CumulativeJacobian {
   using Operator = typename G::template Operator<double>;
   std::array<Operator, K> X, V, dV;
 };
 
-/// Forward: all blocks.
+namespace detail {
+
+/// Ad of the inverse of everything after the first knot.
 template <class G, int K>
+typename G::template Operator<double> first_knot_operator(const CumulativePoint<G, K>& point,
+                                                          const KnotPair<G>* pairs) {
+  const auto A = G::template exp<double>(point.basis.value[0] * pairs[0].d);
+  return G::template Ad<double>(G::template inverse<double>(G::template compose<double>(A, point.tail[0])));
+}
+
+/// A derivative with respect to an increment becomes derivatives with respect to its two knots.
+template <class G>
+void to_knots(const typename G::template Operator<double>& D, const KnotPair<G>& pair,
+              typename G::template Operator<double>& before, typename G::template Operator<double>& after) {
+  after = D * pair.Jr_inv;
+  before += G::times_ad(D, pair.d) - after;
+}
+
+}  // namespace detail
+
+/// Forward: all blocks.
+template <class G, int K, int kDerivatives = 2>
 CumulativeJacobian<G, K> cumulative_jacobian(const CumulativePoint<G, K>& point, const KnotPair<G>* pairs) {
   using Operator = typename G::template Operator<double>;
   CumulativeJacobian<G, K> J;
   const auto& basis = point.basis;
   const Operator I = G::template identity_operator<double>();
-  J.X[0] = G::template Ad<double>(G::template inverse<double>(
-      G::template compose<double>(G::template exp<double>(basis.value[0] * pairs[0].d), point.tail[0])));
+  const auto ad_times = [](const auto& x, const Operator& M) { return G::template ad_times<double>(x, M); };
+  J.X[0] = detail::first_knot_operator<G, K>(point, pairs);
   J.V[0] = J.dV[0] = 0.0 * I;
   for (std::size_t j = 0; j + 1 < K; ++j) {
     const bool last = j + 2 == K;
     const Operator M = basis.value[j] * G::template left_jacobian<double>(-basis.value[j] * pairs[j].d);
     const Operator S = last ? I : G::template Ad<double>(G::template inverse<double>(point.tail[j]));
     const Operator P = last ? M : Operator(S * M);
-    const auto ad = [](const auto& x) { return G::template ad<double>(x); };
-    const Operator DV = ad(point.V_sum[j]) * P + basis.d1[j] * S;
-    const Operator DdV = ad(point.dV_sum[j]) * P + basis.d1[j] * (ad(point.V_sum[j + 1]) * S) + basis.d2[j] * S -
-                         ad(point.V() - point.V_sum[j]) * DV;
-    J.X[j] += -(P * pairs[j].Jl_inv);
-    J.V[j] += -(DV * pairs[j].Jl_inv);
-    J.dV[j] += -(DdV * pairs[j].Jl_inv);
-    J.X[j + 1] = P * pairs[j].Jr_inv;
-    J.V[j + 1] = DV * pairs[j].Jr_inv;
-    J.dV[j + 1] = DdV * pairs[j].Jr_inv;
+    detail::to_knots<G>(P, pairs[j], J.X[j], J.X[j + 1]);
+    if constexpr (kDerivatives >= 1) {
+      Operator DV = basis.d1[j] * S;
+      if (j > 0) DV += ad_times(point.V_sum[j], P);
+      detail::to_knots<G>(DV, pairs[j], J.V[j], J.V[j + 1]);
+      if constexpr (kDerivatives >= 2) {
+        Operator DdV =
+            basis.d1[j] * ad_times(point.V_sum[j + 1], S) + basis.d2[j] * S - ad_times(point.V() - point.V_sum[j], DV);
+        if (j > 0) DdV += ad_times(point.dV_sum[j], P);
+        detail::to_knots<G>(DdV, pairs[j], J.dV[j], J.dV[j + 1]);
+      }
+    }
   }
   return J;
 }
@@ -67,13 +88,12 @@ std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
   using Rows = Eigen::Matrix<double, kRows, G::kDof>;
   std::array<Rows, K> blocks;
   const auto& basis = point.basis;
-  const auto ad = [](const auto& x) { return G::template ad<double>(x); };
-  blocks[0] = L_X * G::template Ad<double>(G::template inverse<double>(G::template compose<double>(
-                        G::template exp<double>(basis.value[0] * pairs[0].d), point.tail[0])));
+  blocks[0] = L_X * detail::first_knot_operator<G, K>(point, pairs);
   for (std::size_t j = 0; j + 1 < K; ++j) {
-    const Rows L_DV = L_V - L_dV * ad(point.V() - point.V_sum[j]);
-    Rows L_P = L_X + L_DV * ad(point.V_sum[j]) + L_dV * ad(point.dV_sum[j]);
-    Rows L_S = basis.d1[j] * L_DV + basis.d1[j] * (L_dV * ad(point.V_sum[j + 1])) + basis.d2[j] * L_dV;
+    const Rows L_DV = L_V - G::times_ad(L_dV, typename G::template Tangent<double>(point.V() - point.V_sum[j]));
+    Rows L_P = L_X;
+    if (j > 0) L_P += G::times_ad(L_DV, point.V_sum[j]) + G::times_ad(L_dV, point.dV_sum[j]);
+    Rows L_S = basis.d1[j] * (L_DV + G::times_ad(L_dV, point.V_sum[j + 1])) + basis.d2[j] * L_dV;
     if (j + 2 < K) {
       const auto S = G::template Ad<double>(G::template inverse<double>(point.tail[j]));
       L_P = (L_P * S).eval();
@@ -81,8 +101,8 @@ std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
     }
     const auto M = G::template left_jacobian<double>(-basis.value[j] * pairs[j].d);
     const Rows L_d = basis.value[j] * (L_P * M) + L_S;
-    blocks[j] -= L_d * pairs[j].Jl_inv;
     blocks[j + 1] = L_d * pairs[j].Jr_inv;
+    blocks[j] += G::times_ad(L_d, pairs[j].d) - blocks[j + 1];
   }
   return blocks;
 }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kOutlier = 10.0;  // usual residuals
 constexpr int kPasses = 4;
+constexpr double kLeastOutlier = 1e-4;       // m or rad: below it a residual may be what the knots cannot follow
 constexpr double kUnknownSigma = 1e-3;       // m and rad, when the data are too short to tell
 constexpr double kUnknownJerkDensity = 1e2;  // m/s^3/sqrt(Hz) and rad/s^3/sqrt(Hz)
 
@@ -77,10 +78,12 @@ struct Measured {
                                     : std::min(spectrum->translation.spacing_s, spectrum->rotation.spacing_s)) {}
 };
 
-Signal<Pose> without_outliers(const Signal<Pose>& poses, const std::vector<double>& size) {
+template <class Fit>
+Signal<Pose> without_outliers(const Signal<Pose>& poses, const Fit& fit) {
   Signal<Pose> kept;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (size[i] <= kOutlier) kept.push_back(poses.time[i], poses.value[i]);
+    if (fit.size[i] <= kOutlier || fit.residual[i].cwiseAbs().maxCoeff() <= kLeastOutlier)
+      kept.push_back(poses.time[i], poses.value[i]);
   }
   return kept;
 }
@@ -91,7 +94,7 @@ TrajectoryFit fit_as(const Signal<Pose>& poses, const TrajectoryFitOptions& opti
   for (int pass = 1;; ++pass) {
     const auto spline = spline_options<G>(measured.spectrum, measured.spacing_s);
     SplineFit<G, K> fit = SplineFitter<G, K>(measured.poses, spline).run();
-    Signal<Pose> kept = without_outliers(measured.poses, fit.size);
+    Signal<Pose> kept = without_outliers(measured.poses, fit);
     if (pass < kPasses && kept.size() < measured.poses.size()) {
       measured = Measured(std::move(kept), options);
       continue;

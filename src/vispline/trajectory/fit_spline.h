@@ -202,10 +202,9 @@ class SplineFitter {
     const double h = to_seconds(spline.spacing());
     const Block W = (options_.jerk_density * std::pow(h, 2.5)).cwiseInverse().asDiagonal();
     const Tangent r = W * (pair[2].d - 2.0 * pair[1].d + pair[0].d);
-    equations.template add<4>(k,
-                              {-(W * pair[0].Jl_inv), W * pair[0].Jr_inv + 2.0 * (W * pair[1].Jl_inv),
-                               -2.0 * (W * pair[1].Jr_inv) - W * pair[2].Jl_inv, W * pair[2].Jr_inv},
-                              r);
+    const auto after = [&](int i) { return Block(W * pair[i].Jr_inv); };
+    const auto before = [&](int i) { return Block(after(i) - G::times_ad(W, pair[i].d)); };
+    equations.template add<4>(k, {-before(0), after(0) + 2.0 * before(1), -2.0 * after(1) - before(2), after(2)}, r);
   }
 
   const Signal<Element>& measured_;
