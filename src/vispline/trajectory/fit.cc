@@ -92,7 +92,8 @@ template <class G, int K>
 TrajectoryFit fit_as(const Signal<Pose>& poses, const TrajectoryFitOptions& options) {
   Measured measured(poses, options);
   for (int pass = 1;; ++pass) {
-    const auto spline = spline_options<G>(measured.spectrum, measured.spacing_s);
+    auto spline = spline_options<G>(measured.spectrum, measured.spacing_s);
+    spline.poll = options.poll;
     SplineFit<G, K> fit = SplineFitter<G, K>(measured.poses, spline).run();
     Signal<Pose> kept = without_outliers(measured.poses, fit);
     if (pass < kPasses && kept.size() < measured.poses.size()) {

@@ -1,6 +1,7 @@
 /// A trajectory from measured poses: noisy, irregular, with gaps. docs/math/fit.md.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct TrajectoryFitOptions {
   int order = 4;                    ///< 4, 5 or 6
   std::optional<double> spacing_s;  ///< knot spacing; chosen from the spectrum of the poses if absent
   double quality = 0.99999;         ///< share of the motion's energy that the knots have to carry, if chosen
+  std::function<void()> poll{};     ///< called every few milliseconds of work; may throw to stop the fit
 };
 
 /// Size of the residuals of one kind of motion, per axis.

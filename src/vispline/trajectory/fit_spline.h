@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "vispline/core/signal.h"
@@ -20,6 +21,7 @@ struct SplineFitOptions {
   Tangent jerk_density = Tangent::Constant(1e3);  ///< prior: white third difference, unit/s^3/sqrt(Hz)
   double huber = 3.0;                             ///< residuals this many times the usual one count linearly
   int max_iterations = 50;
+  std::function<void()> poll{};  ///< called every few milliseconds of work; may throw to stop the fit
 };
 
 template <class G, int K>
@@ -60,7 +62,7 @@ class SplineNormalEquations {
     }
   }
 
-  /// Holds directions that no measurement sees where they are.
+  /// Holds directions that neither a measurement nor the prior sees where they are.
   void damp(const Tangent& weight) {
     for (Eigen::Index i = 0; i < gradient_.size(); ++i) matrix_(i, i) += weight(i % kDof);
   }
@@ -175,9 +177,12 @@ class SplineFitter {
 
   std::vector<Tangent> step(const Spline<G, K>& spline, double huber) const {
     Equations equations(spline.knots().size());
-    for (std::size_t i = 0; i < measured_.size(); ++i) add_measurement(spline, i, huber, equations);
+    for (std::size_t i = 0; i < measured_.size(); ++i) {
+      if (options_.poll && i % 4096 == 0) options_.poll();
+      add_measurement(spline, i, huber, equations);
+    }
     for (std::size_t k = 0; k + 3 < spline.knots().size(); ++k) add_prior(spline, k, equations);
-    equations.damp(1e-10 * inverse_sigma_.cwiseAbs2());
+    equations.damp(1e-6 * prior_weight(spline).cwiseAbs2());
     return equations.solve();
   }
 
@@ -196,11 +201,15 @@ class SplineFitter {
                   weight * whitened);
   }
 
+  /// 1 / (q h^2.5): one over the standard deviation of a third difference of knots.
+  Tangent prior_weight(const Spline<G, K>& spline) const {
+    return (options_.jerk_density * std::pow(to_seconds(spline.spacing()), 2.5)).cwiseInverse();
+  }
+
   /// Third difference of four consecutive knots, d_{k+2} - 2 d_{k+1} + d_k: zero for a constant twist rate.
   void add_prior(const Spline<G, K>& spline, std::size_t k, Equations& equations) const {
     const auto* pair = &spline.pairs()[k];
-    const double h = to_seconds(spline.spacing());
-    const Block W = (options_.jerk_density * std::pow(h, 2.5)).cwiseInverse().asDiagonal();
+    const Block W = prior_weight(spline).asDiagonal();
     const Tangent r = W * (pair[2].d - 2.0 * pair[1].d + pair[0].d);
     const auto after = [&](int i) { return Block(W * pair[i].Jr_inv); };
     const auto before = [&](int i) { return Block(after(i) - G::times_ad(W, pair[i].d)); };

@@ -82,6 +82,23 @@ TEST(Fit, ChoosesKnotsThatBeatDifferencesOfNoisyPoses) {
   EXPECT_NEAR(fit.position_m.rms, sigma_m, 0.15 * sigma_m);
 }
 
+TEST(Fit, OfExactPosesConvergesAndIsExact) {
+  const Trajectory dance = *analytic_trajectory("dance", Time{}, from_seconds(20.0));
+  const auto fit = fit_trajectory(sampled(dance, 200.0));
+  EXPECT_TRUE(fit.converged);
+  EXPECT_LT(fit.iterations, 10);
+  EXPECT_EQ(fit.outliers, 0u);
+  const StateError error = state_error(fit.trajectory, dance);
+  EXPECT_LT(error.position, 1e-7);
+  EXPECT_LT(error.acceleration, 1e-3);
+}
+
+TEST(Fit, CanBeStopped) {
+  struct Stop {};
+  const auto poses = sampled(ellipse(), 200.0);
+  EXPECT_THROW(fit_trajectory(poses, {.spacing_s = 0.1, .poll = [] { throw Stop{}; }}), Stop);
+}
+
 TEST(Fit, LeavesOutliersOutAndCountsThem) {
   const Trajectory dance = *analytic_trajectory("dance", Time{}, from_seconds(20.0));
   auto poses = sampled(dance, 120.0, 2e-4, 2e-3);

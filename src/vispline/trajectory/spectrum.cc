@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kShortest = 64;   // samples of a piece worth a spectrum
 constexpr std::size_t kLongest = 2048;  // samples of one window
 constexpr double kLongestSpacing_s = 1.0;
-constexpr double kLeastSigma = 1e-9;  // m or rad: poses are never better known
+constexpr double kLeastSigma = 1e-7;  // m or rad: poses are never better known
 constexpr double kPi = std::numbers::pi;
 
 /// Power spectral density, one value per frequency i / (samples * dt), one-sided, unit^2/Hz.
