@@ -5,15 +5,30 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <string_view>
 
 namespace vispline::cli {
 namespace {
 
 volatile std::sig_atomic_t caught_signal = 0;
 
+volatile std::sig_atomic_t files_open = 0;
+constexpr unsigned kGrace_s = 1;
+
 extern "C" void on_signal(int signal) {
   if (caught_signal != 0) _exit(128 + signal);
   caught_signal = signal;
+  alarm(kGrace_s);
+}
+
+extern "C" void on_alarm(int) {
+  if (files_open != 0) {
+    alarm(kGrace_s);
+    return;
+  }
+  constexpr std::string_view kText = "error[E-INTERRUPTED]: stopped by a signal\n  effect: nothing written\n";
+  if (write(STDERR_FILENO, kText.data(), kText.size()) < 0) _exit(1);
+  _exit(128 + caught_signal);
 }
 
 std::int64_t now_ms() {
@@ -30,16 +45,27 @@ void print(const Diagnostics& diagnostics) {
   }
 }
 
+[[noreturn]] void refuse(Diagnostic warning) {
+  warning.code.replace(0, 1, "E");
+  warning.effect = "nothing written, because of --strict";
+  throw Error(ExitCode::kUnfit, warning);
+}
+
 }  // namespace
 
 void catch_interrupts() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  std::signal(SIGALRM, on_alarm);
 }
 
 void poll_interrupt() {
   if (caught_signal != 0) throw Interrupted{caught_signal};
 }
+
+OutputGuard::OutputGuard() { files_open = files_open + 1; }
+
+OutputGuard::~OutputGuard() { files_open = files_open - 1; }
 
 Session::Session() { context.version = VISPLINE_VERSION; }
 
@@ -55,7 +81,7 @@ void Session::add(Diagnostic diagnostic) { context.diagnostics.add(std::move(dia
 void Session::finish(const Diagnostics& own) const {
   Diagnostics all = context.diagnostics;
   all.merge(own);
-  if (strict && !all.empty()) throw Error(ExitCode::kUnfit, all.examples().front());
+  if (strict && !all.empty()) refuse(all.examples().front());
   print(all);
   if (context.inputs.empty()) return;
   ReadCounts sum;

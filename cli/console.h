@@ -15,9 +15,19 @@ struct Interrupted {
   int signal;
 };
 
-/// First signal: poll_interrupt() throws. Second signal: the process ends at once.
+/// First signal: poll_interrupt() throws; the process ends within a second even if nothing polls. Second signal: it
+/// ends at once.
 void catch_interrupts();
 void poll_interrupt();
+
+/// While one lives, files may be unfinished: a first signal waits for poll_interrupt() or for the end of the writing.
+class OutputGuard {
+ public:
+  OutputGuard();
+  ~OutputGuard();
+  OutputGuard(const OutputGuard&) = delete;
+  OutputGuard& operator=(const OutputGuard&) = delete;
+};
 
 /// Flags that every verb has, and what its JSON document carries besides the result.
 struct Session {

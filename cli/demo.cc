@@ -5,6 +5,7 @@
 #include "demo_page.h"
 #include "flags.h"
 #include "integration_table.h"
+#include "validators.h"
 #include "verbs.h"
 #include "vispline/integrate/rules.h"
 #include "vispline/io/write.h"
@@ -83,8 +84,10 @@ void run(DemoFlags& flags) {
 void add_demo(CLI::App& app) {
   auto flags = std::make_shared<DemoFlags>();
   CLI::App* verb = app.add_subcommand("demo", "simulate, integrate, compare, and write a report");
-  verb->add_option("--out", flags->out, "folder to write; its demo files are replaced")->capture_default_str();
-  verb->add_option("--seed", flags->seed, "of the noise")->capture_default_str();
+  verb->add_option("--out", flags->out, "folder to write; its demo files are replaced")
+      ->check(not_empty())
+      ->capture_default_str();
+  verb->add_option("--seed", flags->seed, "of the noise")->check(not_negative(kMaxSeed))->capture_default_str();
   verb->add_flag("--json", flags->session.json, "write the table as JSON to stdout");
   verb->callback([flags] { run(*flags); });
 }

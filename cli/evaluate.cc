@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "flags.h"
+#include "validators.h"
 #include "verbs.h"
 #include "vispline/results/documents.h"
 
@@ -71,7 +72,7 @@ void add_evaluate(CLI::App& app) {
       ->check(CLI::IsMember({"none", "se3", "sim3", "yaw"}))
       ->capture_default_str();
   verb->add_option("--max-offset", flags->imu.max_offset_s, "largest time offset of two IMUs to look for [s]")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   flags->read.add_to(*verb);
   add_session_flags(*verb, flags->session);
   verb->callback([flags] { kind_of(*flags) == "imu" ? evaluate_imu(*flags) : evaluate_trajectory(*flags); });

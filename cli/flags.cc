@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "validators.h"
 #include "vispline/core/parallel.h"
 #include "vispline/results/table.h"
 #include "vispline/trajectory/analytic.h"
@@ -11,6 +12,8 @@ namespace vispline::cli {
 namespace {
 
 constexpr double kDefaultDuration_s = 20.0;
+/// Start + duration stays within the 292 years of int64 nanoseconds.
+constexpr double kMaxStart_s = 8e9;
 
 std::string nth(const std::vector<std::string>& values, std::size_t index) {
   if (values.empty()) return "";
@@ -26,7 +29,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 void add_triad(CLI::App& verb, const std::string& name, const std::string& unit, ImuFlags::Triad& triad) {
   const auto flag = [&](const std::string& what, std::optional<double>& value, const std::string& help) {
-    verb.add_option("--" + name + "-" + what, value, help)->check(CLI::NonNegativeNumber)->group("Noise");
+    verb.add_option("--" + name + "-" + what, value, help)->check(not_negative())->group("Noise");
   };
   flag("white", triad.white, "white-noise density [" + unit + "/sqrt(Hz)]");
   flag("walk", triad.walk, "bias random walk [" + unit + "/s/sqrt(Hz)]");
@@ -90,22 +93,22 @@ ReadOptions ReadFlags::options(std::size_t index, const Session& session) const 
 
 void TrajectoryFlags::add_to(CLI::App& verb) {
   verb.add_option("--trajectory", source, joined(analytic_names()) + ", or a file of poses")->required();
-  verb.add_option("--start", start_s, "time of the first sample [s], by default 0 or the first pose of the file");
-  verb.add_option("--duration", duration_s, "length [s], by default 20 or the length of the file")
-      ->check(CLI::PositiveNumber);
+  verb.add_option("--start", start_s, "time of the first sample [s], by default 0 or the first pose of the file")
+      ->check(between(-kMaxStart_s, kMaxStart_s));
+  verb.add_option("--duration", duration_s, "length [s], by default 20 or the length of the file")->check(positive());
   verb.add_option("--spline", spline, "kind of spline fitted to a file")
       ->check(CLI::IsMember({"joint", "split"}))
       ->capture_default_str()
       ->group("Spline fit");
   verb.add_option("--order", fit.order, "order of the spline, 4 is cubic")
-      ->check(CLI::Range(4, 6))
+      ->check(between(4, 6))
       ->capture_default_str()
       ->group("Spline fit");
   verb.add_option("--knot-spacing", fit.spacing_s, "[s], chosen from the spectrum of the poses otherwise")
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->group("Spline fit");
   verb.add_option("--quality", fit.quality, "share of the motion's energy the chosen knots carry")
-      ->check(CLI::Range(0.5, 0.9999999))
+      ->check(between(0.5, 0.9999999))
       ->group("Spline fit");
 }
 
@@ -124,6 +127,7 @@ TrajectorySource load_trajectory(const TrajectoryFlags& flags, const ReadFlags& 
   session.add_input("trajectory", poses.counts, poses.diagnostics);
   TrajectoryFitOptions options = flags.fit;
   options.kind = flags.spline == "joint" ? SplineKind::kJoint : SplineKind::kSplit;
+  options.poll = poll_interrupt;
   TrajectoryFit fit = fit_trajectory(poses.value, options);
   if (!fit.converged) {
     session.add({.code = "W-FIT",
@@ -144,7 +148,8 @@ std::string fit_text(const TrajectoryFit& fit) {
   if (fit.spectrum) {
     text += "spectrum: motion up to " + number_text(fit.spectrum->translation.bandwidth_hz, 3) +
             " Hz in translation and " + number_text(fit.spectrum->rotation.bandwidth_hz, 3) +
-            " Hz in rotation, above the noise of the poses; " + std::to_string(fit.gaps.size()) + " gaps\n";
+            " Hz in rotation, above the noise of the poses; " + std::to_string(fit.gaps.size()) + " gaps, " +
+            std::to_string(fit.outliers) + " outliers left out\n";
   }
   return text;
 }
@@ -160,7 +165,8 @@ JsonObject fit_json(const TrajectoryFit& fit) {
       .set("rotation", residual(fit.rotation_rad, "rad"))
       .set("iterations", fit.iterations)
       .set("converged", fit.converged)
-      .set("gaps", static_cast<std::int64_t>(fit.gaps.size()));
+      .set("gaps", static_cast<std::int64_t>(fit.gaps.size()))
+      .set("outliers", static_cast<std::int64_t>(fit.outliers));
   if (!fit.spectrum) return object;
   const auto spectrum = [](const MotionSpectrum& s, const std::string& unit) {
     return JsonObject()
@@ -181,14 +187,22 @@ void ImuFlags::add_to(CLI::App& verb) {
       ->group("Noise");
   add_triad(verb, "gyro", "rad/s", gyro);
   add_triad(verb, "accel", "m/s^2", accel);
-  verb.add_option("--gravity", gravity, "[m/s^2], pointing down")->capture_default_str()->group("Instrument");
+  verb.add_option("--gravity", gravity, "[m/s^2], pointing down")
+      ->check(between(-1000.0, 1000.0))
+      ->capture_default_str()
+      ->group("Instrument");
   verb.add_option("--imu-position", position_m, "x,y,z of the IMU in the body [m]")
       ->delimiter(',')
       ->expected(3)
+      ->check(between(-1e6, 1e6))
       ->group("Instrument");
-  verb.add_option("--time-offset", time_offset_s, "t_body = t_imu + this [s]")->group("Instrument");
-  verb.add_option("--seed", seed, "of all random numbers")->capture_default_str();
-  verb.add_option("--threads", threads, "0: all; does not change a byte of the result")->capture_default_str();
+  verb.add_option("--time-offset", time_offset_s, "t_body = t_imu + this [s]")
+      ->check(between(-1e6, 1e6))
+      ->group("Instrument");
+  verb.add_option("--seed", seed, "of all random numbers")->check(not_negative(kMaxSeed))->capture_default_str();
+  verb.add_option("--threads", threads, "0: all; does not change a byte of the result")
+      ->check(not_negative(1024))
+      ->capture_default_str();
 }
 
 ImuSimulation ImuFlags::simulation(const std::string& name, double rate_hz) const {

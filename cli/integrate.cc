@@ -5,6 +5,7 @@
 
 #include "flags.h"
 #include "integration_table.h"
+#include "validators.h"
 #include "verbs.h"
 #include "vispline/integrate/dead_reckon.h"
 #include "vispline/integrate/rules.h"
@@ -62,24 +63,32 @@ std::vector<IntegrationRow> measured_table(IntegrateFlags& flags, const Trajecto
   return rows;
 }
 
-void write_trajectory(const IntegrateFlags& flags, const Trajectory& truth, const std::vector<std::string>& methods) {
+void check_output(const IntegrateFlags& flags, const std::vector<std::string>& methods) {
   if (flags.out.empty()) return;
   require(methods.size() == 1 && flags.rates_hz.size() == 1 && flags.measured.empty(),
           "one --method and one --imu-rate with --out");
+  probe_output(flags.out, 0, output_options(flags.session));
+}
+
+void write_trajectory(const IntegrateFlags& flags, const Trajectory& truth, const std::vector<std::string>& methods) {
+  if (flags.out.empty()) return;
   const ImuSimulation simulation = flags.imu.simulation("imu0", flags.rates_hz[0]);
   const SimulatedImu samples = simulate_whole(truth, simulation, flags.rates_hz[0]);
-  write_trajectory_tum(flags.out, integrated(samples, methods[0], simulation.g_w), output_options(flags.session));
+  const Signal<Pose> estimate = integrated(samples, methods[0], simulation.g_w);
+  const OutputGuard guard;
+  write_trajectory_tum(flags.out, estimate, output_options(flags.session));
 }
 
 void run(IntegrateFlags& flags) {
   const std::vector<std::string> methods = chosen_methods(flags.methods);
+  check_output(flags, methods);
   const TrajectorySource source = load_trajectory(flags.trajectory, flags.read, flags.session);
   const auto rows = flags.measured.empty()
                         ? integration_table(source.trajectory, flags.imu.simulation("imu0", flags.rates_hz[0]),
                                             flags.rates_hz, methods)
                         : measured_table(flags, source.trajectory, methods);
-  write_trajectory(flags, source.trajectory, methods);
   flags.session.finish();
+  write_trajectory(flags, source.trajectory, methods);
   std::cout << (flags.session.json ? integrate_json(rows, flags.session.context) : integrate_text(rows));
 }
 
@@ -91,10 +100,10 @@ void add_integrate(CLI::App& app) {
   flags->trajectory.add_to(*verb);
   verb->add_option("--imu-rate", flags->rates_hz, "[Hz], several separated by commas")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check(positive(kMaxRate_hz));
   verb->add_option("--method", flags->methods, "names separated by commas, or all")->delimiter(',');
   verb->add_option("--imu", flags->measured, "a recorded IMU instead of a simulated one; --trajectory is its truth");
-  verb->add_option("--out", flags->out, "write the integrated trajectory of one method (TUM)");
+  verb->add_option("--out", flags->out, "write the integrated trajectory of one method (TUM)")->check(not_empty());
   flags->imu.add_to(*verb);
   flags->read.add_to(*verb);
   add_session_flags(*verb, flags->session);

@@ -1,5 +1,7 @@
 // vispline: read | verb | write. Errors end here, as an exit code and a text that says what to do next.
 #include <iostream>
+#include <new>
+#include <stdexcept>
 
 #include "console.h"
 #include "verbs.h"
@@ -32,9 +34,28 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    app.exit(error);
-    return static_cast<int>(vispline::ExitCode::kUsage);
+    throw vispline::Error(vispline::ExitCode::kUsage, {.code = "E-USAGE",
+                                                       .message = error.what(),
+                                                       .where = "",
+                                                       .effect = "nothing done",
+                                                       .next = "run vispline --help or vispline VERB --help"});
   }
+}
+
+/// Nobody has the result if it did not reach stdout.
+void check_stdout() {
+  std::cout.flush();
+  if (std::cout.good()) return;
+  throw vispline::Error(vispline::ExitCode::kOutput, {.code = "E-OUTPUT",
+                                                      .message = "cannot write to standard output",
+                                                      .where = "",
+                                                      .effect = "the printed result is not complete",
+                                                      .next = "redirect to a place with room"});
+}
+
+int out_of_memory() {
+  std::cerr << "error[E-LIMIT]: out of memory\n  effect: nothing written\n  next:   ask for fewer samples\n";
+  return static_cast<int>(vispline::ExitCode::kLimit);
 }
 
 }  // namespace
@@ -42,7 +63,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   vispline::cli::catch_interrupts();
   try {
-    return run(argc, argv);
+    const int exit_code = run(argc, argv);
+    check_stdout();
+    return exit_code;
   } catch (const vispline::Error& error) {
     std::cerr << error.what() << '\n';
     return static_cast<int>(error.exit_code());
@@ -50,7 +73,8 @@ int main(int argc, char** argv) {
     std::cerr << "error[E-INTERRUPTED]: stopped by signal " << interrupted.signal << "\n  effect: nothing written\n";
     return 128 + interrupted.signal;
   } catch (const std::bad_alloc&) {
-    std::cerr << "error[E-LIMIT]: out of memory\n  effect: nothing written\n";
-    return static_cast<int>(vispline::ExitCode::kLimit);
+    return out_of_memory();
+  } catch (const std::length_error&) {
+    return out_of_memory();
   }
 }

@@ -4,6 +4,7 @@
 
 #include "flags.h"
 #include "simulate_output.h"
+#include "validators.h"
 #include "verbs.h"
 #include "vispline/results/table.h"
 
@@ -87,17 +88,18 @@ void print_summary(const SimulateFlags& flags, const TrajectorySource& source, c
 
 void run(SimulateFlags& flags) {
   const std::string format = chosen_format(flags);
-  probe_simulation(flags.out, format, output_options(flags.session));
+  require(format == "euroc" || flags.imus == 1, "--format euroc for more than one IMU");
+  require(format == "csv" || flags.truth.empty(), "--format csv with --truth; the others write the truth anyway");
+  probe_simulation({flags.out, flags.truth, format, flags.imus}, output_options(flags.session));
   const TrajectorySource source = load_trajectory(flags.trajectory, flags.read, flags.session);
   const Stamps stamps = stamps_of(source, flags);
-  require(format == "euroc" || flags.imus == 1, "--format euroc for more than one IMU");
   std::vector<ImuSimulation> imus;
   for (std::size_t i = 0; i < flags.imus; ++i) {
     imus.push_back(flags.imu.simulation("imu" + std::to_string(i), flags.rate_hz));
   }
+  flags.session.finish();
   const SimulationTask task{source.trajectory, imus, stamps, flags.out, flags.truth, output_options(flags.session)};
   write_simulation(task, format);
-  flags.session.finish();
   print_summary(flags, source, stamps, format);
 }
 
@@ -107,16 +109,18 @@ void add_simulate(CLI::App& app) {
   auto flags = std::make_shared<SimulateFlags>();
   CLI::App* verb = app.add_subcommand("simulate", "IMU recordings from a formula or from any file of poses");
   flags->trajectory.add_to(*verb);
-  verb->add_option("--imu-rate", flags->rate_hz, "[Hz]")->check(CLI::PositiveNumber)->capture_default_str();
-  verb->add_option("--like", flags->like, "simulate at the stamps of this IMU file");
+  CLI::Option* rate =
+      verb->add_option("--imu-rate", flags->rate_hz, "[Hz]")->check(positive(kMaxRate_hz))->capture_default_str();
+  verb->add_option("--like", flags->like, "simulate at the stamps of this IMU file")->excludes(rate);
   verb->add_option("--imus", flags->imus, "number of IMUs at one place, with noise of their own")
-      ->check(CLI::Range(1, 1000))
+      ->check(between(1, 1000))
       ->capture_default_str();
   verb->add_option("--format", flags->format, "csv: one file; euroc: folder mav0 with ground truth; course: text files")
       ->check(CLI::IsMember({"auto", "csv", "euroc", "course"}))
       ->capture_default_str();
-  verb->add_option("--out", flags->out, "file (csv) or folder to write")->required();
-  verb->add_option("--truth", flags->truth, "with csv: also write poses, velocities and biases (EuRoC ground truth)");
+  verb->add_option("--out", flags->out, "file (csv) or folder to write")->required()->check(not_empty());
+  verb->add_option("--truth", flags->truth, "with csv: also write poses, velocities and biases (EuRoC ground truth)")
+      ->check(not_empty());
   flags->imu.add_to(*verb);
   flags->read.add_to(*verb);
   add_session_flags(*verb, flags->session);

@@ -1,5 +1,7 @@
 #include "simulate_output.h"
 
+#include <filesystem>
+
 #include "console.h"
 #include "vispline/integrate/dead_reckon.h"
 #include "vispline/io/course_files.h"
@@ -8,8 +10,21 @@
 namespace vispline::cli {
 namespace {
 
+const std::string kEurocTruth = "/mav0/state_groundtruth_estimate0/data.csv";
 constexpr double kCourseCameraRate_hz = 30.0;
 constexpr const char* kCourseRule = "euler_course";
+
+std::string euroc_imu(const std::string& out, const std::string& imu) { return out + "/mav0/" + imu + "/data.csv"; }
+
+bool same_name(const std::string& a, const std::string& b) {
+  return !a.empty() && !b.empty() &&
+         std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
+}
+
+/// Free space that the samples need; unknown if they are compressed.
+std::uint64_t bytes_needed(const std::string& path, std::size_t samples) {
+  return path.ends_with(".gz") || path.ends_with(".xz") ? 0 : imu_csv_bytes(samples);
+}
 
 void append_truth(const SimulatedImu& block, Signal<GroundTruth>& truth) {
   for (std::size_t i = 0; i < block.body.size(); ++i) {
@@ -21,6 +36,8 @@ void append_truth(const SimulatedImu& block, Signal<GroundTruth>& truth) {
 /// Streams one IMU into a CSV, block by block; collects the truth if asked to.
 void write_imu(const SimulationTask& task, const ImuSimulation& imu, const std::string& path,
                Signal<GroundTruth>* truth) {
+  probe_output(path, bytes_needed(path, task.stamps.size()), task.output);
+  const OutputGuard guard;
   ImuCsvWriter writer(path, task.output);
   Progress progress(imu.imu.name, task.stamps.size());
   simulate_imu(task.trajectory, imu, task.stamps, [&](const SimulatedImu& block) {
@@ -34,16 +51,17 @@ void write_imu(const SimulationTask& task, const ImuSimulation& imu, const std::
 void write_csv(const SimulationTask& task) {
   Signal<GroundTruth> truth;
   write_imu(task, task.imus[0], task.out, task.truth.empty() ? nullptr : &truth);
+  const OutputGuard guard;
   if (!task.truth.empty()) write_groundtruth_euroc(task.truth, truth, task.output);
 }
 
 void write_euroc(const SimulationTask& task) {
   Signal<GroundTruth> truth;
   for (std::size_t i = 0; i < task.imus.size(); ++i) {
-    const std::string path = task.out + "/mav0/" + task.imus[i].imu.name + "/data.csv";
-    write_imu(task, task.imus[i], path, i == 0 ? &truth : nullptr);
+    write_imu(task, task.imus[i], euroc_imu(task.out, task.imus[i].imu.name), i == 0 ? &truth : nullptr);
   }
-  write_groundtruth_euroc(task.out + "/mav0/state_groundtruth_estimate0/data.csv", truth, task.output);
+  const OutputGuard guard;
+  write_groundtruth_euroc(task.out + kEurocTruth, truth, task.output);
 }
 
 /// Dead reckoning as the course does it, from the second sample on.
@@ -85,15 +103,25 @@ void write_course(const SimulationTask& task) {
   recording.camera = course_camera(task);
   recording.notes = "imu_int_pose.txt is dead reckoning by the rule " + std::string(kCourseRule) +
                     ".\nSeed of the noise: " + std::to_string(imu.seed) + ".\n";
+  const OutputGuard guard;
   write_course_files(task.out, recording, task.output);
 }
 
 }  // namespace
 
-void probe_simulation(const std::string& out, const std::string& format, const OutputOptions& options) {
-  if (format == "csv") probe_output(out, 0, options);
-  if (format == "euroc") probe_output(out + "/mav0/imu0/data.csv", 0, options);
-  if (format == "course") probe_output(out + "/README.txt", 0, options);
+void probe_simulation(const SimulationNames& names, const OutputOptions& options) {
+  std::vector<std::string> paths;
+  if (names.format == "csv") {
+    paths = {names.out};
+    if (!names.truth.empty()) paths.push_back(names.truth);
+  } else if (names.format == "euroc") {
+    for (std::size_t i = 0; i < names.imus; ++i) paths.push_back(euroc_imu(names.out, "imu" + std::to_string(i)));
+    paths.push_back(names.out + kEurocTruth);
+  } else {
+    paths = {names.out + "/README.txt"};
+  }
+  require(!same_name(names.out, names.truth), "two names for --out and --truth");
+  for (const std::string& path : paths) probe_output(path, 0, options);
 }
 
 void write_simulation(const SimulationTask& task, const std::string& format) {

@@ -17,8 +17,13 @@ struct SimulationTask {
   OutputOptions output;
 };
 
+struct SimulationNames {
+  std::string out, truth, format;  ///< format: csv, euroc or course
+  std::size_t imus = 1;
+};
+
 /// Proves before anything is read that the result can be written.
-void probe_simulation(const std::string& out, const std::string& format, const OutputOptions& options);
+void probe_simulation(const SimulationNames& names, const OutputOptions& options);
 
 /// Runs the simulation and writes it; `format` is csv, euroc or course.
 void write_simulation(const SimulationTask& task, const std::string& format);

@@ -120,10 +120,17 @@ struct Pairs {
   std::vector<Vector6d> first, second;
 };
 
+/// Stamps are whole nanoseconds: a signal is not outside its own copy because the offset is 1e-20 s and not 0.
+double snapped(double seconds, double duration_s) {
+  constexpr double kTick_s = 1e-9;
+  const bool inside = seconds > -kTick_s && seconds < duration_s + kTick_s;
+  return inside ? std::clamp(seconds, 0.0, duration_s) : seconds;
+}
+
 Pairs pair_samples(ImuComparison& comparison, const ImuSpline& spline, const ImuSignal& second, double lag_s) {
   Pairs pairs;
   for (std::size_t k = 0; k < second.size(); ++k) {
-    const double seconds = to_seconds(second.time[k] - second.time.front()) - lag_s;
+    const double seconds = snapped(to_seconds(second.time[k] - second.time.front()) - lag_s, spline.duration_s());
     const std::optional<std::size_t> interval = spline.interval(seconds);
     if (!interval) {
       ++(seconds < 0.0 || seconds > spline.duration_s() ? comparison.outside : comparison.in_gaps);
