@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -30,31 +29,57 @@ struct GoldenToken {
   bool number = false;
 };
 
-inline std::vector<GoldenToken> golden_tokens(const std::string& line) {
-  static const std::regex number(R"((^|[^\w.+-])([-+]?\d+(\.\d+)?([eE][-+]?\d+)?)(?![\w.]))");
-  std::vector<GoldenToken> tokens;
-  const auto add_text = [&](std::string text) {
-    text = std::regex_replace(text, std::regex("--+"), "--");
-    text = std::regex_replace(text, std::regex("\\s+"), " ");
-    tokens.push_back({text, false});
-  };
-  std::size_t end = 0;
-  for (std::sregex_iterator it(line.begin(), line.end(), number), last; it != last; ++it) {
-    const auto begin = static_cast<std::size_t>(it->position(2));
-    add_text(line.substr(end, begin - end));
-    tokens.push_back({it->str(2), true});
-    end = begin + static_cast<std::size_t>(it->length(2));
-  }
-  add_text(line.substr(end));
-  return tokens;
-}
-
 namespace golden_detail {
+
+inline bool digit(char c) { return c >= '0' && c <= '9'; }
+
+inline bool of_a_word(char c) { return digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
+
+/// End of the number [-+]digits[.digits][e[-+]digits] that begins at `begin`; `begin` itself if there is none, or if
+/// it is part of a word or of a dotted version.
+inline std::size_t number_end(const std::string& line, std::size_t begin) {
+  const auto at = [&](std::size_t i) { return i < line.size() ? line[i] : ' '; };
+  const auto past_digits = [&](std::size_t i) {
+    while (digit(at(i))) ++i;
+    return i;
+  };
+  const char before = begin == 0 ? ' ' : line[begin - 1];
+  if (of_a_word(before) || before == '.' || before == '+' || before == '-') return begin;
+  std::size_t end = begin + (at(begin) == '+' || at(begin) == '-');
+  if (!digit(at(end))) return begin;
+  end = past_digits(end);
+  if (at(end) == '.' && digit(at(end + 1))) end = past_digits(end + 1);
+  const std::size_t exponent = end + 1 + (at(end + 1) == '+' || at(end + 1) == '-');
+  if ((at(end) == 'e' || at(end) == 'E') && digit(at(exponent))) end = past_digits(exponent);
+  return of_a_word(at(end)) || at(end) == '.' ? begin : end;
+}
 
 inline double parsed(const std::string& text) {
   double value = 0.0;
   std::from_chars(text.data() + (text[0] == '+'), text.data() + text.size(), value);
   return value;
+}
+
+/// Appends a character of text; of a run of blanks or dashes only the first.
+inline void add_text(std::vector<GoldenToken>& tokens, char c) {
+  if (tokens.empty() || tokens.back().number) tokens.push_back({"", false});
+  std::string& text = tokens.back().text;
+  if ((c == ' ' || c == '-') && !text.empty() && text.back() == c) return;
+  text += c;
+}
+
+inline std::vector<GoldenToken> tokens_of(const std::string& line) {
+  std::vector<GoldenToken> tokens;
+  for (std::size_t i = 0; i < line.size();) {
+    const std::size_t end = number_end(line, i);
+    if (end > i) {
+      tokens.push_back({line.substr(i, end - i), true});
+      i = end;
+    } else {
+      add_text(tokens, line[i++]);
+    }
+  }
+  return tokens;
 }
 
 /// One unit of the last printed digit; 0 for integers.
@@ -84,7 +109,7 @@ inline double floor_of(const std::string& line, const GoldenTolerance& tolerance
 }
 
 inline bool same_line(const std::string& golden, const std::string& line, const GoldenTolerance& tolerance) {
-  const auto a = golden_tokens(golden), b = golden_tokens(line);
+  const auto a = tokens_of(golden), b = tokens_of(line);
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const GoldenToken& x, const GoldenToken& y) {
     if (x.number != y.number) return false;
     return x.number ? close(x.text, y.text, tolerance.relative, floor_of(golden, tolerance)) : x.text == y.text;
@@ -92,8 +117,11 @@ inline bool same_line(const std::string& golden, const std::string& line, const 
 }
 
 /// The number of a release is not what these files are about.
-inline std::string without_version(const std::string& text) {
-  return std::regex_replace(text, std::regex(R"re("version": "[^"]*")re"), R"("version": "...")");
+inline std::string without_version(std::string text) {
+  const std::string key = "\"version\": \"";
+  const std::size_t begin = text.find(key);
+  if (begin == std::string::npos) return text;
+  return text.replace(begin + key.size(), text.find('"', begin + key.size()) - begin - key.size(), "...");
 }
 
 }  // namespace golden_detail

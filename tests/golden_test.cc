@@ -16,7 +16,7 @@ std::string with(const std::string& what, const std::string& instead) {
 }
 
 TEST(Golden, TellsNumbersFromNames) {
-  const auto tokens = golden_tokens("rk4 of x_2018: -1.5e-3, [2 m] 1.2.3 7");
+  const auto tokens = golden_detail::tokens_of("rk4 of x_2018: -1.5e-3, [2 m] 1.2.3 7");
   std::string numbers;
   for (const GoldenToken& token : tokens) numbers += token.number ? token.text + ";" : "";
   EXPECT_EQ(numbers, "-1.5e-3;2;7;");
