@@ -1,13 +1,13 @@
-/// Errors and warnings: a stable code, one sentence with the number that proves it, the place, the effect, the next step.
-/// The library prints nothing; a command prints what it is handed. docs/conventions.md, Errors.
+/// Errors and warnings: a stable code, one sentence with the number that proves it, the place, the effect, the next
+/// step. The library prints nothing; a command prints what it is handed. docs/conventions.md, Errors.
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <exception>
 #include <vector>
 
 namespace vispline {
@@ -15,12 +15,12 @@ namespace vispline {
 /// What the process ends with when nobody handles the error.
 enum class ExitCode : int {
   kDone = 0,
-  kUsage = 2,       ///< wrong flag or configuration value
-  kInput = 3,       ///< input cannot be read or is malformed
-  kUnfit = 4,       ///< input is readable but unfit for this analysis
-  kUntrusted = 5,   ///< a solver gave no trustworthy result
-  kOutput = 6,      ///< output could not be written
-  kLimit = 7,       ///< a resource limit was hit
+  kUsage = 2,      ///< wrong flag or configuration value
+  kInput = 3,      ///< input cannot be read or is malformed
+  kUnfit = 4,      ///< input is readable but unfit for this analysis
+  kUntrusted = 5,  ///< a solver gave no trustworthy result
+  kOutput = 6,     ///< output could not be written
+  kLimit = 7,      ///< a resource limit was hit
 };
 
 struct Diagnostic {

@@ -29,7 +29,7 @@ struct Cards {
 
 struct Column {
   std::string header{};
-  std::string unit{};     ///< may be empty
+  std::string unit{};   ///< may be empty
   bool numeric = true;  ///< aligned at the right, in figures of one width
   int digits = 4;       ///< significant digits of double cells
 };

@@ -47,7 +47,7 @@ struct Plot {
   std::vector<Annotation> annotations{};
   bool log_x = false;
   bool log_y = false;
-  bool equal_aspect = false;     ///< one unit is as long on x as on y; both axes linear
+  bool equal_aspect = false;       ///< one unit is as long on x as on y; both axes linear
   std::optional<Range> x_range{};  ///< otherwise what the data need
   std::optional<Range> y_range{};
   double width_px = 760.0;   ///< of the whole drawing, at least 200
