@@ -27,6 +27,7 @@ struct CumulativePoint {
   using Tangent = typename G::template Tangent<T>;
 
   Element X;                              ///< the curve
+  Element rest;                           ///< A_1 ... A_{K-1}: the curve is first * rest
   std::array<Element, kIncrements> tail;  ///< B_j, j = 1..K-1; the last is the identity
   std::array<Tangent, kIncrements> s;     ///< s_j
   std::array<Tangent, K> V_sum, dV_sum;   ///< prefix sums: [j] holds the first j increments
@@ -42,7 +43,8 @@ struct CumulativePoint {
       const Element A = G::template exp<T>(b.value[j] * d[j]);
       product = j + 1 == kIncrements ? A : G::template compose<T>(A, product);
     }
-    X = G::template compose<T>(first, product);
+    rest = product;
+    X = G::template compose<T>(first, rest);
     V_sum[0].setZero();
     dV_sum[0].setZero();
     for (std::size_t j = 0; j < kIncrements; ++j) {

@@ -31,14 +31,6 @@ struct CumulativeJacobian {
 
 namespace detail {
 
-/// Ad of the inverse of everything after the first knot.
-template <class G, int K>
-typename G::template Operator<double> first_knot_operator(const CumulativePoint<G, K>& point,
-                                                          const KnotPair<G>* pairs) {
-  const auto A = G::template exp<double>(point.basis.value[0] * pairs[0].d);
-  return G::template Ad<double>(G::template inverse<double>(G::template compose<double>(A, point.tail[0])));
-}
-
 /// A derivative with respect to an increment becomes derivatives with respect to its two knots.
 template <class G>
 void to_knots(const typename G::template Operator<double>& D, const KnotPair<G>& pair,
@@ -57,7 +49,7 @@ CumulativeJacobian<G, K> cumulative_jacobian(const CumulativePoint<G, K>& point,
   const auto& basis = point.basis;
   const Operator I = G::template identity_operator<double>();
   const auto ad_times = [](const auto& x, const Operator& M) { return G::template ad_times<double>(x, M); };
-  J.X[0] = detail::first_knot_operator<G, K>(point, pairs);
+  J.X[0] = G::template Ad<double>(G::template inverse<double>(point.rest));
   J.V[0] = J.dV[0] = 0.0 * I;
   for (std::size_t j = 0; j + 1 < K; ++j) {
     const bool last = j + 2 == K;
@@ -88,7 +80,7 @@ std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
   using Rows = Eigen::Matrix<double, kRows, G::kDof>;
   std::array<Rows, K> blocks;
   const auto& basis = point.basis;
-  blocks[0] = L_X * detail::first_knot_operator<G, K>(point, pairs);
+  blocks[0] = L_X * G::template Ad<double>(G::template inverse<double>(point.rest));
   for (std::size_t j = 0; j + 1 < K; ++j) {
     const Rows L_DV = L_V - G::times_ad(L_dV, typename G::template Tangent<double>(point.V() - point.V_sum[j]));
     Rows L_P = L_X;
