@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "console.h"
-#include "vispline/io/output_file.h"
+#include "vispline/files/output_file.h"
 #include "vispline/io/read.h"
 #include "vispline/simulate/imu_simulation.h"
 #include "vispline/trajectory/fit.h"

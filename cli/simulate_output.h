@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "vispline/io/output_file.h"
+#include "vispline/files/output_file.h"
 #include "vispline/simulate/imu_simulation.h"
 
 namespace vispline::cli {

@@ -2,7 +2,7 @@
 #include <csignal>
 
 #include "program.h"
-#include "vispline/io/input_file.h"
+#include "vispline/files/input_file.h"
 
 namespace vispline {
 namespace {

@@ -8,7 +8,7 @@
 #include "vispline/core/body_state.h"
 #include "vispline/core/pose.h"
 #include "vispline/core/signal.h"
-#include "vispline/io/output_file.h"
+#include "vispline/files/output_file.h"
 #include "vispline/sensors/recording.h"
 
 namespace vispline {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "vispline/files/input_file.h"
 #include "vispline/io/formats.h"
 #include "vispline/io/imu_checks.h"
-#include "vispline/io/input_file.h"
 #include "vispline/io/rotations.h"
 #include "vispline/io/stamp_rate.h"
 #include "vispline/io/stamps.h"

@@ -2,7 +2,7 @@
 #include <clocale>
 #include <locale>
 
-#include "vispline/io/compressor.h"
+#include "vispline/files/compressor.h"
 #include "vispline/io/course_files.h"
 #include "vispline/io/io_testing.h"
 #include "vispline/io/write.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "vispline/io/limits.h"
+#include "vispline/files/limits.h"
 #include "vispline/io/number_text.h"
 
 namespace vispline {

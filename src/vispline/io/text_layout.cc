@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "vispline/io/limits.h"
+#include "vispline/files/limits.h"
 #include "vispline/io/text_cells.h"
 
 namespace vispline {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "vispline/io/limits.h"
+#include "vispline/files/limits.h"
 #include "vispline/io/text_cells.h"
 
 namespace vispline {

@@ -5,8 +5,8 @@
 
 #include "vispline/core/pose.h"
 #include "vispline/core/signal.h"
+#include "vispline/files/output_file.h"
 #include "vispline/io/euroc_groundtruth.h"
-#include "vispline/io/output_file.h"
 #include "vispline/sensors/recording.h"
 
 namespace vispline {

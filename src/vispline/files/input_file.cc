@@ -1,4 +1,4 @@
-#include "vispline/io/input_file.h"
+#include "vispline/files/input_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,8 +11,8 @@
 #include <system_error>
 
 #include "vispline/core/error.h"
-#include "vispline/io/content_type.h"
-#include "vispline/io/decompress.h"
+#include "vispline/files/content_type.h"
+#include "vispline/files/decompress.h"
 
 namespace vispline {
 namespace {

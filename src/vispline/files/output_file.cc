@@ -1,4 +1,4 @@
-#include "vispline/io/output_file.h"
+#include "vispline/files/output_file.h"
 
 #include <fcntl.h>
 #include <sys/random.h>

@@ -1,4 +1,4 @@
-#include "vispline/io/content_type.h"
+#include "vispline/files/content_type.h"
 
 #include <algorithm>
 #include <array>

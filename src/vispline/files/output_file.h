@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "vispline/io/compressor.h"
+#include "vispline/files/compressor.h"
 
 namespace vispline {
 

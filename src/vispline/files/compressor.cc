@@ -1,4 +1,4 @@
-#include "vispline/io/compressor.h"
+#include "vispline/files/compressor.h"
 
 #include <lzma.h>
 #include <zlib.h>

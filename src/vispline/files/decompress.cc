@@ -1,4 +1,4 @@
-#include "vispline/io/decompress.h"
+#include "vispline/files/decompress.h"
 
 #include <lzma.h>
 #include <zlib.h>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "vispline/core/error.h"
-#include "vispline/io/limits.h"
+#include "vispline/files/limits.h"
 
 namespace vispline {
 namespace {

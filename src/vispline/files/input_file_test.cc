@@ -1,10 +1,10 @@
-#include "vispline/io/input_file.h"
+#include "vispline/files/input_file.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "vispline/io/compressor.h"
-#include "vispline/io/decompress.h"
+#include "vispline/files/compressor.h"
+#include "vispline/files/decompress.h"
 #include "vispline/io/io_testing.h"
 
 namespace vispline {

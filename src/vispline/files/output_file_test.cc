@@ -1,4 +1,4 @@
-#include "vispline/io/output_file.h"
+#include "vispline/files/output_file.h"
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -7,7 +7,7 @@
 
 #include <csignal>
 
-#include "vispline/io/input_file.h"
+#include "vispline/files/input_file.h"
 #include "vispline/io/io_testing.h"
 
 namespace vispline {
