@@ -59,6 +59,10 @@ void add_chunk(std::span<const double> phase, std::span<const std::int64_t> fact
 
 }  // namespace
 
+double second_difference_sum(const double* phase, std::size_t m, std::size_t starts) {
+  return block_sum(phase, phase + m, phase + 2 * m, starts);
+}
+
 std::vector<std::vector<SquaredSum>> overlapping_sums(std::span<const std::span<const double>> series,
                                                       std::span<const std::int64_t> factors, std::size_t threads) {
   const std::size_t points = series.empty() ? 0 : series.front().size();

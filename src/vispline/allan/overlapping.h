@@ -15,4 +15,7 @@ namespace vispline {
 std::vector<std::vector<SquaredSum>> overlapping_sums(std::span<const std::span<const double>> series,
                                                       std::span<const std::int64_t> factors, std::size_t threads);
 
+/// The same sum over the starts phase[0 .. starts), which needs starts + 2 m points.
+double second_difference_sum(const double* phase, std::size_t m, std::size_t starts);
+
 }  // namespace vispline

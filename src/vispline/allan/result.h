@@ -42,7 +42,8 @@ std::string unit_of(Term term, std::string_view unit);
 double deviation_of(Term term, double coefficient, double tau_s);
 
 /// One coefficient. If it is resolved: value with two-sided intervals. If not: no value, but a bound (if the record
-/// gives one) and how long a record of this kind must be to resolve a coefficient as large as that bound.
+/// gives one) and how long a record of this kind must be to find, nine times out of ten, a coefficient half as large as
+/// that bound.
 struct TermEstimate {
   bool resolved = false;
   double value = 0.0;  ///< 0 if not resolved

@@ -1,0 +1,160 @@
+#include "vispline/allan/spectral_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vispline {
+namespace {
+
+constexpr int kMaxSteps = 60;
+constexpr double kTolerance = 1e-4;  ///< of the log-likelihood; intervals look at differences of 0.5 and more
+constexpr std::size_t kRamp = static_cast<std::size_t>(Term::kRamp);
+
+using Vector4 = Eigen::Matrix<double, kVariances, 1>;
+using Matrix4 = Eigen::Matrix<double, kVariances, kVariances>;
+
+}  // namespace
+
+SpectralFit::SpectralFit(std::span<const SpectralCell> cells) : cells_(cells), weights_(cells.size(), 1.0) {}
+
+double SpectralFit::variance(const SpectralCell& cell, const SpectralModel& model) {
+  double v = 0.0;
+  for (std::size_t i = 0; i < kVariances; ++i) v += model.power[i] * cell.expected[i];
+  return v;
+}
+
+double SpectralFit::residual_power(const SpectralCell& cell, const SpectralModel& model) {
+  if (cell.ramp == 0.0 || model.ramp == 0.0) return cell.power;
+  const double rest = cell.value - model.ramp * cell.ramp;
+  return rest * rest;
+}
+
+double SpectralFit::log_likelihood(const SpectralModel& model) const {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const double v = variance(cells_[c], model);
+    if (!(v > 0.0)) return -std::numeric_limits<double>::infinity();
+    sum -= 0.5 * weights_[c] * cells_[c].count * (std::log(v) + residual_power(cells_[c], model) / v);
+  }
+  return sum;
+}
+
+double SpectralFit::best_ramp(const SpectralModel& model) const {
+  double numerator = 0.0, denominator = 0.0;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    if (cells_[c].ramp == 0.0) continue;
+    const double information = weights_[c] * cells_[c].ramp / variance(cells_[c], model);
+    numerator += information * cells_[c].value;
+    denominator += information * cells_[c].ramp;
+  }
+  return denominator > 0.0 ? numerator / denominator : 0.0;
+}
+
+/// Every free term alone would explain an equal share of each cell, on average over the cells.
+SpectralModel SpectralFit::first_guess(const TermMask& mask) const {
+  SpectralModel model;
+  for (std::size_t i = 0; i < kVariances; ++i) {
+    if (!mask[i]) continue;
+    double log_smallest = std::numeric_limits<double>::infinity();
+    for (const SpectralCell& cell : cells_) {
+      if (cell.count >= 8.0 && cell.power > 0.0) {
+        log_smallest = std::min(log_smallest, std::log(cell.power / cell.expected[i]));
+      }
+    }
+    model.power[i] = std::isfinite(log_smallest) ? 0.5 * std::exp(log_smallest) : 1.0;
+  }
+  return model;
+}
+
+FittedModel SpectralFit::maximise(const TermMask& mask, std::optional<Held> held, const SpectralModel* start) const {
+  TermMask free = mask;
+  SpectralModel model = start ? *start : first_guess(mask);
+  for (std::size_t i = 0; i < kVariances; ++i) {
+    if (!mask[i]) model.power[i] = 0.0;
+  }
+  if (held) {
+    const auto i = static_cast<std::size_t>(held->term);
+    free[i] = false;
+    if (i == kRamp) {
+      model.ramp = held->value;
+    } else {
+      model.power[i] = held->value;
+    }
+  }
+  if (!mask[kRamp] && !(held && held->term == Term::kRamp)) model.ramp = 0.0;
+  double best = log_likelihood(model);
+  if (!std::isfinite(best)) {
+    const SpectralModel guess = first_guess(mask);
+    for (std::size_t i = 0; i < kVariances; ++i) {
+      if (free[i]) model.power[i] = guess.power[i];
+    }
+    best = log_likelihood(model);
+  }
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const double before = best;
+    if (free[kRamp]) {
+      model.ramp = best_ramp(model);
+      best = log_likelihood(model);
+    }
+    // Fisher scoring in the powers; a power at zero stays there while its gradient points outwards.
+    Vector4 gradient = Vector4::Zero();
+    Matrix4 information = Matrix4::Zero();
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const double v = variance(cells_[c], model);
+      const double n = 0.5 * weights_[c] * cells_[c].count;
+      const double excess = residual_power(cells_[c], model) / v - 1.0;
+      const Vector4 shape = Eigen::Map<const Vector4>(cells_[c].expected.data()) / v;
+      gradient += n * excess * shape;
+      information += n * shape * shape.transpose();
+    }
+    std::array<bool, kVariances> moves{};
+    for (std::size_t i = 0; i < kVariances; ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      moves[i] = free[i] && (model.power[i] > 0.0 || gradient(k) > 0.0);
+    }
+    Vector4 move = Vector4::Zero();
+    for (int attempt = 0; attempt < 4; ++attempt) {
+      Matrix4 system = Matrix4::Identity();
+      Vector4 right = Vector4::Zero();
+      for (Eigen::Index i = 0; i < 4; ++i) {
+        if (!moves[static_cast<std::size_t>(i)]) continue;
+        right(i) = gradient(i) / std::sqrt(information(i, i));
+        for (Eigen::Index k = 0; k < 4; ++k) {
+          if (moves[static_cast<std::size_t>(k)] && k != i) {
+            system(i, k) = information(i, k) / std::sqrt(information(i, i) * information(k, k));
+          }
+        }
+      }
+      move = system.ldlt().solve(right);
+      bool blocked = false;
+      for (Eigen::Index i = 0; i < 4; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        move(i) = moves[k] ? move(i) / std::sqrt(information(i, i)) : 0.0;
+        if (moves[k] && model.power[k] == 0.0 && move(i) < 0.0) {
+          moves[k] = false;
+          blocked = true;
+        }
+      }
+      if (!blocked) break;
+    }
+    double length = 1.0;
+    for (int halving = 0; halving < 40; ++halving, length *= 0.5) {
+      SpectralModel next = model;
+      for (std::size_t i = 0; i < kVariances; ++i) {
+        if (moves[i]) next.power[i] = std::max(0.0, model.power[i] + length * move(static_cast<Eigen::Index>(i)));
+      }
+      const double likelihood = log_likelihood(next);
+      if (likelihood > best) {
+        best = likelihood;
+        model = next;
+        break;
+      }
+    }
+    if (best - before <= kTolerance) break;
+  }
+  return {model, best};
+}
+
+}  // namespace vispline

@@ -1,0 +1,58 @@
+/// Maximum likelihood of noise powers over spectral cells. docs/math/allan.md (20)-(22).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "vispline/allan/result.h"
+#include "vispline/allan/spectrum.h"
+
+namespace vispline {
+
+/// Which terms may differ from zero, in the order of Term.
+using TermMask = std::array<bool, kTerms>;
+
+/// Coefficients of the model: Q^2, N^2, B^2, K^2 (not negative) and R (any sign).
+struct SpectralModel {
+  TermPowers power{};
+  double ramp = 0.0;
+};
+
+struct FittedModel {
+  SpectralModel model;
+  double log_likelihood = 0.0;  ///< up to a constant of the cells
+};
+
+/// The cells with a weight each, at most 1: how much of the count is believed.
+class SpectralFit {
+ public:
+  /// Keeps a reference to the cells.
+  explicit SpectralFit(std::span<const SpectralCell> cells);
+
+  std::vector<double>& weights() { return weights_; }
+  std::span<const SpectralCell> cells() const { return cells_; }
+
+  /// Best model with the terms of `mask`; `held` pins one coefficient (a power, or the ramp) to a value.
+  struct Held {
+    Term term;
+    double value;
+  };
+  FittedModel maximise(const TermMask& mask, std::optional<Held> held = std::nullopt,
+                       const SpectralModel* start = nullptr) const;
+  /// Expected z^2 of a cell.
+  static double variance(const SpectralCell& cell, const SpectralModel& model);
+  /// Mean of z^2 with the ramp's mean taken off.
+  static double residual_power(const SpectralCell& cell, const SpectralModel& model);
+
+ private:
+  double log_likelihood(const SpectralModel& model) const;
+  double best_ramp(const SpectralModel& model) const;
+  SpectralModel first_guess(const TermMask& mask) const;
+
+  std::span<const SpectralCell> cells_;
+  std::vector<double> weights_;
+};
+
+}  // namespace vispline
