@@ -1,0 +1,14 @@
+/// The noise keys of a Basalt calibration (JSON, inside "value0"): continuous time in spite of the word std; the
+/// program multiplies the two noise_std by sqrt(imu_update_rate) itself. JSON has no comments: what is to be said is in
+/// `notes`.
+#pragma once
+
+#include "vispline/calibration/noise_entry.h"
+
+namespace vispline::basalt_noise {
+
+inline constexpr const char* kName = "basalt";
+
+NamedText write(const ImuNoiseEntry& entry);
+
+}  // namespace vispline::basalt_noise
