@@ -3,12 +3,17 @@
 /// `notes`.
 #pragma once
 
-#include "vispline/calibration/noise_entry.h"
+#include "vispline/calibration/noise_reading.h"
 
 namespace vispline::basalt_noise {
 
 inline constexpr const char* kName = "basalt";
 
 NamedText write(const ImuNoiseEntry& entry);
+
+/// By content.
+bool recognizes(const YamlFile& file);
+/// Axes that differ are read as their largest, with W-CONFIG.
+NoiseReading read(const YamlFile& file, const NoiseReadOptions& options);
 
 }  // namespace vispline::basalt_noise

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "vispline/calibration/yaml_error.h"
@@ -72,7 +73,11 @@ void ConfigMap::fail(std::string_view key, const std::string& message) const {
 }
 
 void ConfigMap::fail_value(const YamlNode& node, std::string_view key, const std::string& wanted) const {
-  fail_config(full_name(key) + " is " + described(node) + ", expected " + wanted, file_.at(node.place));
+  // Where there is no value, its place is somewhere behind the key.
+  const auto found = std::ranges::find(map_.keys, key, &YamlKey::text);
+  const bool at_key = node.kind == YamlNode::Kind::kNull && found != map_.keys.end();
+  fail_config(full_name(key) + " is " + described(node) + ", expected " + wanted,
+              file_.at(at_key ? found->place : node.place));
 }
 
 void ConfigMap::warn(std::string_view key, const std::string& message) {
@@ -83,7 +88,7 @@ void ConfigMap::warn(std::string_view key, const std::string& message) {
 /// The key nobody asked for that is closest to `key`, with its line; empty if none is close.
 std::string ConfigMap::nearest_key(std::string_view key) const {
   constexpr std::size_t kLongestKey = 80;
-  std::size_t best = std::max<std::size_t>(3, key.size() / 3 + 1);
+  std::size_t best = std::max<std::size_t>(3, key.size() / 4 + 1);
   std::string found;
   for (const YamlKey& candidate : map_.keys) {
     if (candidate.text.size() > kLongestKey || asked_.contains(candidate.text)) continue;
@@ -127,6 +132,19 @@ std::optional<double> ConfigMap::number_if(std::string_view key, std::string_vie
 
 std::optional<double> ConfigMap::positive_if(std::string_view key, std::string_view unit) {
   return has(key) ? std::optional(positive(key, unit)) : std::nullopt;
+}
+
+std::optional<double> ConfigMap::positive_or_warn(std::string_view key, std::string_view unit) {
+  if (has(key) || !nearest_key(key).empty()) return positive(key, unit);
+  warn(key, "(" + std::string(unit) + ") is missing");
+  return std::nullopt;
+}
+
+double ConfigMap::number_or_nan(std::string_view key, std::string_view unit) {
+  const YamlNode& node = at(key, unit);
+  static constexpr std::string_view kNan[] = {".nan", ".Nan", ".NaN", ".NAN", "-.nan", "-.Nan", "nan", "-nan"};
+  const bool is_nan = node.kind == YamlNode::Kind::kScalar && std::ranges::find(kNan, node.text) != std::end(kNan);
+  return is_nan ? std::numeric_limits<double>::quiet_NaN() : number_of(node, key, unit);
 }
 
 std::string ConfigMap::text(std::string_view key) {
@@ -208,9 +226,13 @@ std::vector<ConfigMap> ConfigMap::maps(std::string_view key) {
   return result;
 }
 
-void ConfigMap::warn_unknown() {
+void ConfigMap::accept_all(std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) accept(key);
+}
+
+void ConfigMap::warn_unknown(std::string_view prefix) {
   for (const YamlKey& key : map_.keys) {
-    if (asked_.contains(key.text)) continue;
+    if (asked_.contains(key.text) || !key.text.starts_with(prefix)) continue;
     diagnostics_.add({.code = "W-CONFIG",
                       .message = "unknown key " + vispline::quoted(full_name(key.text)),
                       .where = file_.at(key.place),

@@ -2,6 +2,7 @@
 /// the key, the place, the unit wanted and the nearest key; what nobody asks for is a warning.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,11 @@ class ConfigMap {
   /// Empty if the key is absent.
   std::optional<double> number_if(std::string_view key, std::string_view unit);
   std::optional<double> positive_if(std::string_view key, std::string_view unit);
+  /// Empty, with W-CONFIG, if the key is absent; but a key that is close to it and not known is its misspelling:
+  /// E-CONFIG.
+  std::optional<double> positive_or_warn(std::string_view key, std::string_view unit);
+  /// .nan is a value: other tools write it.
+  double number_or_nan(std::string_view key, std::string_view unit);
   std::string text(std::string_view key);
   std::string text_or(std::string_view key, std::string_view absent);
   /// Between `least` and `most`.
@@ -43,8 +49,9 @@ class ConfigMap {
 
   /// Calls `key` known, so that it gives no warning.
   void accept(std::string_view key) { asked_.emplace(key); }
-  /// W-CONFIG for every key that nobody asked for or accepted.
-  void warn_unknown();
+  void accept_all(std::initializer_list<std::string_view> keys);
+  /// W-CONFIG for every key that starts with `prefix` and that nobody asked for or accepted.
+  void warn_unknown(std::string_view prefix = "");
 
   /// Place of the key, or of the map if it is absent: for messages of the caller.
   std::string where(std::string_view key) const;

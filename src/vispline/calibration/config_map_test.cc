@@ -68,7 +68,7 @@ TEST_F(Config, OpencvMatricesKeepTheirShape) {
 TEST_F(Config, WrongValuesNameKeyPlaceAndUnit) {
   EXPECT_EQ(failure_of([&] { imu_.positive("text", "Hz"); }), "f:4:9 imu0.text is 'abc', expected a number in Hz");
   EXPECT_EQ(failure_of([&] { imu_.number("quoted", ""); }), "f:5:11 imu0.quoted is '1' in quotes, expected a number");
-  EXPECT_EQ(failure_of([&] { imu_.number("nothing", "s"); }), "f:6:12 imu0.nothing is nothing, expected a number in s");
+  EXPECT_EQ(failure_of([&] { imu_.number("nothing", "s"); }), "f:6:3 imu0.nothing is nothing, expected a number in s");
   EXPECT_EQ(failure_of([&] { imu_.number("nan", "s"); }), "f:7:8 imu0.nan is '.nan', expected a number in s");
   EXPECT_EQ(failure_of([&] { imu_.positive("zero", "m"); }),
             "f:8:9 imu0.zero is '0.0', expected a positive number in m");

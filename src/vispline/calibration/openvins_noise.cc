@@ -1,5 +1,6 @@
 #include "vispline/calibration/openvins_noise.h"
 
+#include "vispline/calibration/config_map.h"
 #include "vispline/calibration/dialect_text.h"
 #include "vispline/calibration/kalibr_noise.h"
 
@@ -32,6 +33,22 @@ NamedText write(const ImuNoiseEntry& entry) {
   file.text += matrix("Tg", 3, 0.0, "effect of acceleration on the gyroscope, rad/s per m/s^2: none");
   file.next_command = "ros2 launch ov_msckf subscribe.launch.py config_path:=FOLDER/estimator_config.yaml";
   return file;
+}
+
+bool recognizes(const YamlFile& file) {
+  const YamlNode* imu = file.root.find("imu0");
+  return imu && (file.is_opencv || imu->find("Tw") || imu->find("R_IMUtoGYRO"));
+}
+
+NoiseReading read(const YamlFile& file, const NoiseReadOptions&) {
+  NoiseReading reading{.dialect = kName};
+  ConfigMap root(file, file.root, "", reading.diagnostics);
+  ConfigMap imu = root.map("imu0");
+  imu.accept_all({"T_i_b", "time_offset", "model", "Tw", "R_IMUtoGYRO", "Ta", "R_IMUtoACC", "Tg"});
+  reading.entry = kalibr_noise::read_figures(imu);
+  imu.warn_unknown();
+  root.warn_unknown();
+  return reading;
 }
 
 }  // namespace vispline::openvins_noise

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "vispline/calibration/config_map.h"
 #include "vispline/calibration/dialect_text.h"
 
 namespace vispline::vins_fusion_noise {
@@ -40,6 +41,23 @@ NamedText write(const ImuNoiseEntry& entry) {
                        " Hz, as VINS uses them, not densities");
   file.next_command = "rosrun vins vins_node CONFIG.yaml";
   return file;
+}
+
+bool recognizes(const YamlFile& file) { return file.root.find("acc_n") && file.root.find("gyr_n"); }
+
+NoiseReading read(const YamlFile& file, const NoiseReadOptions& options) {
+  NoiseReading reading{.dialect = kName};
+  ConfigMap root(file, file.root, "", reading.diagnostics);
+  root.accept_all({"acc_n", "gyr_n", "acc_w", "gyr_w", "g_norm"});
+  ImuNoiseEntry& entry = reading.entry;
+  entry.rate_hz = required_rate(root, "acc_n", options);
+  const double root_rate = std::sqrt(entry.rate_hz);
+  entry.accel_white = plausible(root, "acc_n", root.positive("acc_n", "m/s^2") / root_rate, kAccelWhiteUnit);
+  entry.gyro_white = plausible(root, "gyr_n", root.positive("gyr_n", "rad/s") / root_rate, kGyroWhiteUnit);
+  entry.accel_walk.value = plausible_walk(root, "acc_w", kAccelWalkUnit, 1.0 / root_rate);
+  entry.gyro_walk.value = plausible_walk(root, "gyr_w", kGyroWalkUnit, 1.0 / root_rate);
+  entry.topic = root.text_or("imu_topic", entry.topic);
+  return reading;
 }
 
 }  // namespace vispline::vins_fusion_noise

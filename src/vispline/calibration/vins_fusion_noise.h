@@ -3,12 +3,17 @@
 /// would add N^2 dt and K^2 dt; so acc_n = N sqrt(rate) and acc_w = K sqrt(rate).
 #pragma once
 
-#include "vispline/calibration/noise_entry.h"
+#include "vispline/calibration/noise_reading.h"
 
 namespace vispline::vins_fusion_noise {
 
 inline constexpr const char* kName = "vins-fusion";
 
 NamedText write(const ImuNoiseEntry& entry);
+
+/// By content.
+bool recognizes(const YamlFile& file);
+/// Needs options.rate_hz. The other keys of the configuration are left alone.
+NoiseReading read(const YamlFile& file, const NoiseReadOptions& options);
 
 }  // namespace vispline::vins_fusion_noise

@@ -9,7 +9,7 @@
 
 #include "vispline/calibration/yaml_error.h"
 #include "vispline/calibration/yaml_tree_builder.h"
-#include "vispline/files/input_file.h"
+#include "vispline/files/small_file.h"
 
 namespace vispline {
 namespace {
@@ -116,6 +116,8 @@ YamlFile parse_yaml(std::string path, std::string_view text) {
   return file;
 }
 
-YamlFile read_yaml(const std::string& path) { return parse_yaml(path, read_text_file(path, yaml_limits::kBytes + 1)); }
+YamlFile read_yaml(const std::string& path) {
+  return parse_yaml(path, read_small_text_file(path, yaml_limits::kBytes));
+}
 
 }  // namespace vispline

@@ -58,7 +58,7 @@ struct YamlFile {
 /// yaml_limits and for an alias inside its own anchor.
 YamlFile parse_yaml(std::string path, std::string_view text);
 
-/// Throws what read_text_file and parse_yaml throw.
+/// Throws what read_small_text_file and parse_yaml throw.
 YamlFile read_yaml(const std::string& path);
 
 }  // namespace vispline
