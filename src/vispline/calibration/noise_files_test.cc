@@ -62,7 +62,7 @@ TEST(NoiseFile, DensitiesElsewhere) {
   const std::string openvins = noise_file("openvins", entry()).text;
   EXPECT_TRUE(openvins.starts_with("%YAML:1.0\n")) << openvins;
   EXPECT_TRUE(holds(openvins, "\n  gyroscope_random_walk: 2.0e-05  # rad/s^2/sqrt(Hz), bias walk\n")) << openvins;
-  EXPECT_TRUE(holds(openvins, "\n  Tg:  # effect")) << openvins;
+  EXPECT_TRUE(holds(openvins, "\n  Tg:  # effect of acceleration")) << openvins;
 }
 
 TEST(NoiseFile, ImuUtilsFiguresFollowFromTheDensities) {
