@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostCameras = 16;
 
-/// Basalt gives fx fy cx cy first; `extra` are the names of what Kalibr has before them or as distortion.
+/// Basalt names every parameter: fx fy cx cy, what Kalibr has before them, and the distortion.
 struct Lens {
   const char* type;
   const char* model;
@@ -71,7 +71,7 @@ std::string zeros(const char* key, int count) {
   return text + "],\n";
 }
 
-CameraCalibration read_lens(ConfigMap map, Diagnostics&) {
+CameraCalibration read_lens(ConfigMap map) {
   const std::string type = map.text("camera_type");
   for (const Lens& lens : kLenses) {
     if (type != lens.type) continue;
@@ -128,7 +128,7 @@ RigReading read(const RigInput& input) {
   const YamlNode* resolution = value.node().find("resolution");
   if (!resolution) value.fail("resolution", "is missing");
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    CameraCalibration camera = read_lens(lenses[i], reading.diagnostics);
+    CameraCalibration camera = read_lens(lenses[i]);
     camera.name = "cam" + std::to_string(i);
     camera.resolution_px = read_resolution(value, *resolution, i);
     camera.T_cam_imu = read_pose(poses[i]).inverse();

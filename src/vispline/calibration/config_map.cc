@@ -88,7 +88,7 @@ void ConfigMap::warn(std::string_view key, const std::string& message) {
 /// The key nobody asked for that is closest to `key`, with its line; empty if none is close.
 std::string ConfigMap::nearest_key(std::string_view key) const {
   constexpr std::size_t kLongestKey = 80;
-  std::size_t best = std::max<std::size_t>(3, key.size() / 4 + 1);
+  std::size_t best = std::max<std::size_t>(2, key.size() / 4 + 1);
   std::string found;
   for (const YamlKey& candidate : map_.keys) {
     if (candidate.text.size() > kLongestKey || asked_.contains(candidate.text)) continue;
@@ -128,10 +128,6 @@ double ConfigMap::positive(std::string_view key, std::string_view unit) {
 
 std::optional<double> ConfigMap::number_if(std::string_view key, std::string_view unit) {
   return has(key) ? std::optional(number(key, unit)) : std::nullopt;
-}
-
-std::optional<double> ConfigMap::positive_if(std::string_view key, std::string_view unit) {
-  return has(key) ? std::optional(positive(key, unit)) : std::nullopt;
 }
 
 std::optional<double> ConfigMap::positive_or_warn(std::string_view key, std::string_view unit) {

@@ -27,7 +27,6 @@ class ConfigMap {
   double positive(std::string_view key, std::string_view unit);
   /// Empty if the key is absent.
   std::optional<double> number_if(std::string_view key, std::string_view unit);
-  std::optional<double> positive_if(std::string_view key, std::string_view unit);
   /// Empty, with W-CONFIG, if the key is absent; but a key that is close to it and not known is its misspelling:
   /// E-CONFIG.
   std::optional<double> positive_or_warn(std::string_view key, std::string_view unit);

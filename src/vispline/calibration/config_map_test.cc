@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace vispline {
 namespace {
 
@@ -49,7 +51,7 @@ TEST_F(Config, ValuesOfEachKind) {
   EXPECT_EQ(imu_.text("text"), "abc");
   EXPECT_EQ(imu_.text("quoted"), "1");
   EXPECT_EQ(imu_.text_or("absent", "x"), "x");
-  EXPECT_FALSE(imu_.positive_if("absent", "").has_value());
+  EXPECT_FALSE(imu_.number_if("absent", "").has_value());
   EXPECT_EQ(imu_.numbers("row", 3, ""), (std::vector<double>{1, 2.5, -3}));
   EXPECT_EQ(imu_.numbers("row", 0, "").size(), 3u);
   EXPECT_EQ(imu_.matrix("square", 2, 2, ""), (std::vector<double>{1, 2, 3, 4}));
@@ -89,6 +91,16 @@ TEST_F(Config, AMissingKeyPointsAtItsMisspelling) {
             "'gyroscope_noise_densty': if it is meant, rename it");
   EXPECT_EQ(failure_of([&] { imu_.positive("update_frequency", "Hz"); }),
             "f:2:3 key imu0.update_frequency (Hz) is missing");
+}
+
+TEST_F(Config, OptionalValuesAndNan) {
+  EXPECT_FALSE(imu_.positive_or_warn("walk", "m/s").has_value());
+  EXPECT_EQ(diagnostics_.examples().at(0).message, "imu0.walk (m/s) is missing");
+  EXPECT_EQ(imu_.positive_or_warn("half", "m/s"), 2.5);
+  EXPECT_NE(failure_of([&] { imu_.positive_or_warn("quotd", "m/s"); }).find("line 5 has 'quoted'"), std::string::npos);
+  EXPECT_TRUE(std::isnan(imu_.number_or_nan("nan", "")));
+  EXPECT_EQ(imu_.number_or_nan("half", ""), 2.5);
+  EXPECT_NE(failure_of([&] { imu_.number_or_nan("text", ""); }), "");
 }
 
 TEST_F(Config, UnknownKeysAreWarnings) {

@@ -149,7 +149,8 @@ TEST(ReadNoise, FiguresOfOneSampleNeedTheRate) {
 
 TEST(ReadNoise, BasaltAxesThatDifferAreTheirLargest) {
   const std::string text =
-      R"({"value0": {"imu_update_rate": 200.0, "accel_noise_std": [0.01, 0.02, 0.016], "gyro_noise_std": [1e-3,1e-3,1e-3],
+      R"({"value0": {"imu_update_rate": 200.0, "accel_noise_std": [0.01, 0.02, 0.016],
+         "gyro_noise_std": [1e-3, 1e-3, 1e-3],
          "accel_bias_std": [0.001, 0.001, 0.001], "gyro_bias_std": [0.0001, 0.0001, 0.0001]}})";
   const NoiseReading read = parse_noise("f", text);
   EXPECT_EQ(read.entry.accel_white, 0.02);
