@@ -81,12 +81,26 @@ ColumnPlan find_plan(ReadContext& context, const TextLayout& layout) {
 }  // namespace
 
 ColumnPlan plan_columns(ReadContext& context, const TextLayout& layout) {
-  if (context.options().columns.empty()) {
-    return context.options().format.empty() ? find_plan(context, layout) : plan_by_format(context, layout);
+  const ReadOptions& options = context.options();
+  ColumnPlan plan;
+  if (!options.columns.empty()) {
+    plan = plan_by_flag(context, options.columns, layout.fields);
+    plan.format = plain_csv::kName;
+  } else {
+    plan = options.format.empty() ? find_plan(context, layout) : plan_by_format(context, layout);
   }
-  ColumnPlan plan = plan_by_flag(context, context.options().columns, layout.fields);
-  plan.format = plain_csv::kName;
+  apply_unit_flags(options, plan);
   return plan;
+}
+
+void fail_content(const ReadContext& context, const ColumnPlan& plan) {
+  const std::string holds = plan.has_imu()         ? "IMU samples"
+                            : plan.has_poses()     ? "poses"
+                            : plan.has(kGyroX, 3)  ? "a gyroscope and no accelerometer"
+                            : plan.has(kAccelX, 3) ? "an accelerometer and no gyroscope"
+                                                   : "neither poses nor IMU samples";
+  context.fail(ExitCode::kInput, "E-COLUMNS", "no " + context.noun() + ": the columns hold " + holds, context.path(),
+               "pass another file, or --columns with these names: " + known_column_names());
 }
 
 std::string format_names() {

@@ -11,7 +11,7 @@
 namespace vispline {
 namespace {
 
-constexpr std::size_t kSampleRows = 20;
+constexpr std::size_t kSampleRows = kHeadRows - 4;
 
 /// One line of the head of the file.
 struct HeadLine {
@@ -24,6 +24,16 @@ struct Head {
   std::vector<HeadLine> comments;  ///< before the first row
   std::vector<HeadLine> rows;      ///< up to kSampleRows + 1 lines that are no comment
 };
+
+/// The line at `pos`. Throws E-LIMIT if it is longer than limits::kLineBytes.
+std::string_view limited_line(const ReadContext& context, std::string_view text, std::size_t pos, std::int64_t line) {
+  const std::string_view window = text.substr(pos, limits::kLineBytes + 1);
+  const std::size_t length = window.find('\n');
+  if (length != std::string_view::npos) return window.substr(0, length);
+  if (window.size() <= limits::kLineBytes) return window;
+  context.fail(ExitCode::kLimit, "E-LIMIT", "a line is longer than " + std::to_string(limits::kLineBytes) + " bytes",
+               context.where_line(line), "check that this is a table with one row a line");
+}
 
 Head read_head(const ReadContext& context, std::string_view text) {
   Head head;
@@ -168,15 +178,6 @@ void check_header(const ReadContext& context, const TextLayout& layout, const He
 }
 
 }  // namespace
-
-std::string_view limited_line(const ReadContext& context, std::string_view text, std::size_t pos, std::int64_t line) {
-  const std::string_view window = text.substr(pos, limits::kLineBytes + 1);
-  const std::size_t length = window.find('\n');
-  if (length != std::string_view::npos) return window.substr(0, length);
-  if (window.size() <= limits::kLineBytes) return window;
-  context.fail(ExitCode::kLimit, "E-LIMIT", "a line is longer than " + std::to_string(limits::kLineBytes) + " bytes",
-               context.where_line(line), "check that this is a table with one row a line");
-}
 
 TextLayout find_layout(ReadContext& context, std::string_view text) {
   Head head = read_head(context, text);

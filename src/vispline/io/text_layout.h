@@ -21,11 +21,12 @@ struct TextLayout {
   std::vector<std::vector<std::string>> sample;  ///< cells of the first rows
 };
 
-/// Looks at the first rows of `text` (line ends already LF, no byte order mark). Throws E-EMPTY if there is no data
+/// Rows of the head that find_layout wants to see, if the file has so many.
+inline constexpr std::size_t kHeadRows = 24;
+
+/// Looks at the first rows of `text` (line ends already LF, no byte order mark), which is the whole file or ends with a
+/// line end. Throws E-EMPTY if there is no data
 /// row, E-DECIMAL for decimal commas that nothing allows, E-COLUMNS if header and rows disagree, E-LIMIT.
 TextLayout find_layout(ReadContext& context, std::string_view text);
-
-/// Throws E-LIMIT if the line at `pos` is longer than limits::kLineBytes.
-std::string_view limited_line(const ReadContext& context, std::string_view text, std::size_t pos, std::int64_t line);
 
 }  // namespace vispline
