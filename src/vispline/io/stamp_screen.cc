@@ -10,8 +10,8 @@ namespace vispline {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr std::int64_t kMaxIsolated = 3;  ///< outliers that never count as too many
-constexpr double kRoundedShare = 0.2;     ///< duplicates above this share mean rounded stamps
+constexpr std::size_t kMaxIsolated = 3;  ///< outliers that never count as too many
+constexpr double kRoundedShare = 0.2;    ///< duplicates above this share mean rounded stamps
 constexpr double kWrap32 = 4294967296.0;
 
 std::string at(std::int64_t ns) { return "t = " + brief_seconds(static_cast<double>(ns) * 1e-9); }
@@ -38,7 +38,7 @@ bool is_last_off(std::int64_t a, std::int64_t b, std::int64_t last, std::int64_t
   return agree(a, b, step) && (last - b > std::max(kSecond, 1000 * step) || b - last > kSecond);
 }
 
-bool is_increasing(const std::vector<SensorRow>& rows) {
+bool is_increasing(std::span<const SensorRow> rows) {
   return std::adjacent_find(rows.begin(), rows.end(),
                             [](const SensorRow& a, const SensorRow& b) { return a.ns >= b.ns; }) == rows.end();
 }
@@ -59,6 +59,7 @@ void StampScreen::push(const SensorRow& row) {
     return;
   }
   ++in_range_;
+  raw_in_order_ = raw_in_order_ && row.ns > last_raw_;
   add_step(row.ns);
   raw_.push_back(row);
   if (raw_.size() < window_) return;
@@ -91,28 +92,37 @@ bool StampScreen::is_off(std::size_t i, std::int64_t step, bool last) const {
   return leaves_hole(ns(i - 1), ns(i), ns(i + 1), step);
 }
 
+/// Rows done_ .. stop - 1 that are off; none if they are many: then the order is broken, not a stamp.
+std::vector<std::size_t> StampScreen::find_off(std::size_t stop, bool last) {
+  std::vector<std::size_t> off;
+  const std::int64_t step = recent_median_step();
+  const bool none = raw_in_order_ && !last && !at_start_;
+  if (none || in_range_ < 4 || step == 0) return off;
+  for (std::size_t i = done_; i < stop; ++i) {
+    if (is_off(i, step, last)) off.push_back(i);
+  }
+  const auto rows = static_cast<double>(std::min<std::int64_t>(in_range_, static_cast<std::int64_t>(window_)));
+  const bool isolated = off.size() <= kMaxIsolated || static_cast<double>(off.size()) <= kLoudLoss * rows;
+  if (!isolated) off.clear();
+  return off;
+}
+
 /// Judges all rows whose neighbours are known, and passes on those that are not off.
 void StampScreen::drop_outliers(bool last) {
   largest_ = std::max(largest_, raw_.size() + waiting_.size());
   const std::size_t stop = last ? raw_.size() : raw_.size() - 1;
-  const std::int64_t step = recent_median_step();
-  std::vector<std::uint8_t> off(raw_.size(), 0);
-  std::int64_t total = 0;
-  if (in_range_ >= 4 && step > 0 && (last || at_start_ || !is_increasing(raw_))) {
-    for (std::size_t i = done_; i < stop; ++i) total += off[i] = is_off(i, step, last);
+  const std::span<const SensorRow> rows(raw_);
+  std::size_t begin = done_;
+  for (const std::size_t i : find_off(stop, last)) {
+    context_.drop("W-TIME-OUTLIER", "one stamp is off while its neighbours agree (" + at(raw_[i].ns) + ")",
+                  context_.where_line(raw_[i].where));
+    arrive(rows.subspan(begin, i - begin));
+    begin = i + 1;
   }
-  const auto rows = static_cast<double>(std::min<std::int64_t>(in_range_, static_cast<std::int64_t>(window_)));
-  const bool isolated = total <= kMaxIsolated || static_cast<double>(total) <= kLoudLoss * rows;
-  for (std::size_t i = done_; i < stop; ++i) {
-    if (off[i] && isolated) {  // many of them: the order is broken, not a stamp
-      context_.drop("W-TIME-OUTLIER", "one stamp is off while its neighbours agree (" + at(raw_[i].ns) + ")",
-                    context_.where_line(raw_[i].where));
-    } else {
-      arrive(raw_[i]);
-    }
-  }
+  arrive(rows.subspan(begin, stop - begin));
   const std::size_t keep = std::min<std::size_t>(raw_.size(), 3);
   raw_.erase(raw_.begin(), raw_.end() - static_cast<std::ptrdiff_t>(keep));
+  raw_in_order_ = is_increasing(raw_);
   done_ = keep - (last ? 0 : 1);
   at_start_ = false;
 }
@@ -125,7 +135,22 @@ void StampScreen::Back::add(std::int64_t at_index, const SensorRow& row, std::in
   after = row.ns;
 }
 
-void StampScreen::arrive(const SensorRow& row) {
+/// A block in order is taken as a whole.
+void StampScreen::arrive(std::span<const SensorRow> rows) {
+  if (rows.empty()) return;
+  const std::int64_t newest = waiting_.empty() ? (kept_ > 0 ? group_.ns : 0) : waiting_.back().ns;
+  if (raw_in_order_ && sorted_ && rows.front().ns >= std::max(newest, last_arrived_)) {
+    waiting_.insert(waiting_.end(), rows.begin(), rows.end());
+    for (const SensorRow& row : rows) tails_.push_back(row.ns);
+    arrived_ += static_cast<std::int64_t>(rows.size());
+    last_arrived_ = rows.back().ns;
+  } else {
+    for (const SensorRow& row : rows) arrive_alone(row);
+  }
+  while (waiting_.size() >= 2 * window_) emit(window_);
+}
+
+void StampScreen::arrive_alone(const SensorRow& row) {
   if (arrived_ > 0 && row.ns < last_arrived_) {
     backs_.add(arrived_, row, last_arrived_);
     if (row.ns - last_arrived_ < -kSecond) resets_.add(arrived_, row, last_arrived_);
@@ -139,7 +164,6 @@ void StampScreen::arrive(const SensorRow& row) {
   extend_run(row.ns);
   sorted_ = sorted_ && (waiting_.empty() || row.ns >= waiting_.back().ns);
   waiting_.push_back(row);
-  if (waiting_.size() >= 2 * window_) emit(window_);
 }
 
 void StampScreen::extend_run(std::int64_t ns) {
@@ -158,20 +182,26 @@ void StampScreen::emit(std::size_t count) {
                      [](const SensorRow& a, const SensorRow& b) { return a.ns < b.ns; });
     sorted_ = true;
   }
-  drop_duplicates(count);
+  const std::span<const SensorRow> leaving = std::span<const SensorRow>(waiting_).first(count);
+  const bool distinct = is_increasing(leaving) && (kept_ == 0 || count == 0 || leaving.front().ns > group_.ns);
+  if (!distinct) {
+    drop_duplicates(leaving);
+  } else if (count > 0) {
+    group_ = leaving.back();
+    kept_ += static_cast<std::int64_t>(count);
+    sink_(leaving);
+  }
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
   const auto final_tails = std::upper_bound(tails_.begin(), tails_.end(), group_.ns);
   in_order_ += final_tails - tails_.begin();
   tails_.erase(tails_.begin(), final_tails);
-  if (!out_.empty()) sink_(out_);
 }
 
-void StampScreen::drop_duplicates(std::size_t count) {
-  out_.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    const SensorRow& row = waiting_[i];
+void StampScreen::drop_duplicates(std::span<const SensorRow> rows) {
+  std::vector<SensorRow> distinct;
+  for (const SensorRow& row : rows) {
     if (kept_ == 0 || row.ns != group_.ns) {
-      out_.push_back(row);
+      distinct.push_back(row);
       group_ = row;
       ++kept_;
       continue;
@@ -183,6 +213,7 @@ void StampScreen::drop_duplicates(std::size_t count) {
         std::string("a stamp stands twice, with ") + (equal ? "the same" : "other") + " values (" + at(row.ns) + ")",
         context_.where_line(row.where));
   }
+  if (!distinct.empty()) sink_(distinct);
 }
 
 void StampScreen::judge(double unit_ns) {

@@ -30,7 +30,7 @@ class StampScreen {
   /// Gets the kept rows, stamps strictly increasing over all calls.
   using Sink = std::function<void(std::span<const SensorRow>)>;
 
-  /// `window` (8 or more): a row that comes later than so many others cannot be put in its place. At most three windows
+  /// `window` (8 or more): a row that comes later than so many others cannot be put in its place. At most four windows
   /// of rows are held.
   StampScreen(ReadContext& context, Sink sink, std::size_t window = kWindowRows);
 
@@ -58,10 +58,12 @@ class StampScreen {
   std::int64_t recent_median_step();
   void drop_outliers(bool last);
   bool is_off(std::size_t i, std::int64_t step, bool last) const;
-  void arrive(const SensorRow& row);
+  std::vector<std::size_t> find_off(std::size_t stop, bool last);
+  void arrive(std::span<const SensorRow> rows);
+  void arrive_alone(const SensorRow& row);
   void extend_run(std::int64_t ns);
   void emit(std::size_t count);
-  void drop_duplicates(std::size_t count);
+  void drop_duplicates(std::span<const SensorRow> rows);
   void judge_range() const;
   void judge_reset(double unit_ns) const;
   void judge_order();
@@ -75,6 +77,7 @@ class StampScreen {
   std::vector<SensorRow> raw_;  ///< in range, as they came; the first done_ are only there as neighbours
   std::size_t done_ = 0;
   bool at_start_ = true;
+  bool raw_in_order_ = true;  ///< strictly
   std::int64_t last_raw_ = kNoStamp;
   EvenSample<std::int64_t> steps_;
   std::uint64_t steps_at_median_ = 0;
@@ -85,7 +88,6 @@ class StampScreen {
   /// Patience sorting: tails_[k] ends a run in order of in_order_ + k + 1 rows. Those that left the window are final.
   std::vector<std::int64_t> tails_;
   std::int64_t in_order_ = 0;
-  std::vector<SensorRow> out_;
   SensorRow group_;  ///< the first row of the stamp that was emitted last
 
   std::int64_t in_range_ = 0, out_of_range_ = 0, arrived_ = 0, kept_ = 0;
