@@ -207,6 +207,7 @@ TextLayout find_layout(ReadContext& context, std::string_view text) {
   if (layout.header.empty()) {
     find_comment_header(head.comments, layout);
   } else {
+    if (layout.separator == ' ' && layout.fields == 1) layout.header.resize(1);  // one name of several words
     check_header(context, layout, head.rows[0], layout.fields);
     layout.fields = layout.header.size();
   }
