@@ -204,11 +204,6 @@ bool ColumnPlan::has(Channel first, int count) const {
   return std::all_of(begin, begin + count, [](int c) { return c >= 0; });
 }
 
-bool ColumnPlan::has_any(Channel first, int count) const {
-  const auto begin = column.begin() + first;
-  return std::any_of(begin, begin + count, [](int c) { return c >= 0; });
-}
-
 ColumnPlan plan_by_names(const ReadContext& context, const std::vector<std::string>& names) {
   ColumnPlan plan;
   for (std::size_t i = 0; i < names.size(); ++i) {

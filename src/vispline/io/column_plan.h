@@ -53,7 +53,6 @@ struct ColumnPlan {
 
   ColumnPlan() { column.fill(-1); }
   bool has(Channel first, int count) const;
-  bool has_any(Channel first, int count) const;
   bool has_imu() const { return has(kGyroX, 6); }
   bool has_poses() const { return has(kPositionX, 7); }
 };

@@ -5,6 +5,7 @@
 #include "vispline/io/course_pose.h"
 #include "vispline/io/euroc_groundtruth.h"
 #include "vispline/io/euroc_imu.h"
+#include "vispline/io/gyroflow.h"
 #include "vispline/io/mocap.h"
 #include "vispline/io/plain_csv.h"
 #include "vispline/io/tum.h"
@@ -20,6 +21,7 @@ struct Format {
 
 /// In the order of asking: the more special first.
 constexpr std::array kFormats = {
+    Format{gyroflow::kName, gyroflow::recognizes, nullptr},
     Format{euroc_imu::kName, euroc_imu::recognizes, [](std::size_t) { return euroc_imu::positional(); }},
     Format{euroc_groundtruth::kName, euroc_groundtruth::recognizes,
            [](std::size_t) { return euroc_groundtruth::positional(); }},

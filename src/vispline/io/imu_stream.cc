@@ -15,6 +15,13 @@ ImuAxes axes_of(const ColumnPlan& plan) {
   return axes;
 }
 
+/// Single axes may only be left out by --columns: in a header their names may be misspelt.
+bool are_enough(const ImuAxes& axes, bool whole, bool chosen) {
+  if (whole) return axes.whole_gyro() && axes.whole_accel();
+  if (!axes.has_gyro() && !axes.has_accel()) return false;
+  return chosen || (axes.has_gyro() == axes.whole_gyro() && axes.has_accel() == axes.whole_accel());
+}
+
 ImuSample sample_of(const RowValues& values, double gyro, double accel) {
   return {gyro * Vector3d(values[0], values[1], values[2]), accel * Vector3d(values[3], values[4], values[5])};
 }
@@ -28,8 +35,8 @@ ImuStreamResult stream_imu(const std::string& path, const ReadOptions& options, 
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));
   lines.start_at(layout.data_begin, layout.data_line);
   const ColumnPlan plan = plan_columns(context, layout);
-  if (settings.whole_imu ? !plan.has_imu() : !plan.has_any(kGyroX, kImuAxes)) fail_content(context, plan);
   const ImuAxes axes = axes_of(plan);
+  if (!are_enough(axes, settings.whole_imu, !options.columns.empty())) fail_content(context, plan);
   const double gyro = plan.gyro_unit.value_or(1.0), accel = plan.accel_unit.value_or(1.0);
 
   const StampPlan stamps = plan_stamps(context, plan);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "vispline/files/limits.h"
 #include "vispline/io/text_cells.h"
@@ -11,7 +12,7 @@
 namespace vispline {
 namespace {
 
-constexpr std::size_t kSampleRows = kHeadRows - 4;
+constexpr std::size_t kSampleRows = 20;
 
 /// One line of the head of the file.
 struct HeadLine {
@@ -23,7 +24,20 @@ struct HeadLine {
 struct Head {
   std::vector<HeadLine> comments;  ///< before the first row
   std::vector<HeadLine> rows;      ///< up to kSampleRows + 1 lines that are no comment
+  std::map<std::string, std::string> notes;
 };
+
+constexpr std::string_view kNotesFollow = "GYROFLOW IMU LOG";
+
+/// Is the line, which is no comment, one of the notes before the table? Then it is taken.
+bool take_note(std::string_view line, Head& head) {
+  const bool first = head.rows.empty() && head.notes.empty() && line.starts_with(kNotesFollow);
+  const bool more = head.rows.empty() && !head.notes.empty() && !line.starts_with("t,");
+  if (!first && !more) return false;
+  const std::size_t comma = std::min(line.find(','), line.size());
+  head.notes.emplace(trimmed(line.substr(0, comma)), trimmed(line.substr(std::min(comma + 1, line.size()))));
+  return true;
+}
 
 /// The line at `pos`. Throws E-LIMIT if it is longer than limits::kLineBytes.
 std::string_view limited_line(const ReadContext& context, std::string_view text, std::size_t pos, std::int64_t line) {
@@ -41,7 +55,7 @@ Head read_head(const ReadContext& context, std::string_view text) {
   for (std::size_t pos = 0; pos < text.size() && head.rows.size() <= kSampleRows; ++number) {
     const std::string_view line = limited_line(context, text, pos, number);
     if (!is_comment(line)) {
-      head.rows.push_back({line, pos, number});
+      if (!take_note(line, head)) head.rows.push_back({line, pos, number});
     } else if (head.rows.empty() && !trimmed(line).empty()) {
       head.comments.push_back({line, pos, number});
     }
@@ -183,6 +197,7 @@ TextLayout find_layout(ReadContext& context, std::string_view text) {
   Head head = read_head(context, text);
   if (head.rows.empty()) fail_empty(context, text.empty() ? "the file is empty" : "the file holds no row of numbers");
   TextLayout layout;
+  layout.notes = std::move(head.notes);
   layout.separator = separator_of(head.rows[0].text, context.options().decimal);
   const std::vector<std::string> first = cells_of(head.rows[0].text, layout.separator);
   if (first.size() > limits::kFields) {
