@@ -5,6 +5,7 @@
 
 #include "validators.h"
 #include "vispline/core/parallel.h"
+#include "vispline/io/number_text.h"
 #include "vispline/results/table.h"
 #include "vispline/trajectory/analytic.h"
 
@@ -19,6 +20,15 @@ std::string nth(const std::vector<std::string>& values, std::size_t index) {
   if (values.empty()) return "";
   const std::string& value = values[std::min(index, values.size() - 1)];
   return value == "auto" ? "" : value;
+}
+
+/// 0 for none.
+double rate_of(const std::string& text) {
+  double rate_hz = 0.0;
+  const bool is_number = text.empty() || parse_double(text, rate_hz) == NumberStatus::kOk;
+  require(is_number && (text.empty() || (rate_hz > 0.0 && rate_hz <= kMaxRate_hz)),
+          "--rate above 0 Hz, at most 1e8 Hz");
+  return rate_hz;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -74,6 +84,9 @@ void ReadFlags::add_to(CLI::App& verb) {
   flag("--input-format", format, "format of the input, found from its content otherwise");
   flag("--columns", columns, "names of the columns, such as t,gx,gy,gz,ax,ay,az");
   flag("--time-unit", time_unit, "s, ms, us, ns or index@RATE with RATE in Hz, such as 200 or 2000/7");
+  flag("--rate", rate, "[Hz] of a file without times: its rows are samples from t = 0");
+  flag("--gyro-unit", gyro_unit, "rad/s, deg/s or deg/h");
+  flag("--accel-unit", accel_unit, "m/s^2, g or mg");
   flag("--decimal", decimal, "decimal sign, . or ,");
   verb.add_flag("--skip-bad-rows", skip_bad_rows, "leave out up to 0.1 % of malformed rows")->group("Reading");
   verb.add_flag("--repair", repair, "leave out or sort more rows than the usual 1 %")->group("Reading");
@@ -85,6 +98,9 @@ ReadOptions ReadFlags::options(std::size_t index, const Session& session) const 
   return {.format = nth(format, index),
           .columns = nth(columns, index),
           .time_unit = nth(time_unit, index),
+          .rate_hz = rate_of(nth(rate, index)),
+          .gyro_unit = nth(gyro_unit, index),
+          .accel_unit = nth(accel_unit, index),
           .decimal = sign.empty() ? '.' : sign[0],
           .skip_bad_rows = skip_bad_rows,
           .repair = repair,

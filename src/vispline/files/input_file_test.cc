@@ -114,6 +114,35 @@ TEST(InputFile, DamagedAndCutStreamsSayWhere) {
   }
 }
 
+TEST(InputFile, BlocksOfAnySizeGiveTheSameBytes) {
+  const ScratchFolder folder;
+  std::string text;
+  for (int i = 0; i < 3000; ++i) text += std::to_string(i * 7919) + ",1.5\n";
+  const std::string two_members = packed(".gz", text.substr(0, 5000)) + packed(".gz", text.substr(5000));
+  const std::string padded_xz = packed(".xz", text) + std::string(8, '\0');
+  for (const std::string& bytes : {text, two_members, two_members + std::string(512, '\0'), padded_xz}) {
+    const std::string path = folder.write("f", bytes);
+    for (const std::size_t block : {std::size_t{1}, std::size_t{7}, std::size_t{64}, std::size_t{1} << 20}) {
+      InputFile file(path, block);
+      std::string got, piece(block, '\0');
+      while (const std::size_t size = file.read(piece.data(), piece.size())) got.append(piece, 0, size);
+      ASSERT_EQ(got, text) << block;
+      EXPECT_EQ(file.bytes_done(), bytes.size());
+      EXPECT_EQ(file.bytes_total(), bytes.size());
+    }
+  }
+}
+
+TEST(InputFile, WhatIsAppendedWhileReadingIsNotRead) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("f", "1,2\n");
+  InputFile file(path);
+  std::ofstream(path, std::ios::app) << "3,4\n";
+  std::string piece(100, '\0');
+  EXPECT_EQ(file.read(piece.data(), piece.size()), 4u);
+  EXPECT_EQ(file.read(piece.data(), piece.size()), 0u);
+}
+
 TEST(InputFile, BombsStopAtTheCap) {
   const std::string bomb = packed(".xz", std::string(std::size_t{8} << 20, '0'));
   try {

@@ -8,6 +8,8 @@ namespace vispline::limits {
 
 inline constexpr std::size_t kLineBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kFields = 4096;
+/// Comments, header and the first rows of a table.
+inline constexpr std::size_t kHeadBytes = std::size_t{8} << 20;
 /// A compressed file may grow to kExpansion times its own size plus kExpansionBase bytes.
 inline constexpr std::uint64_t kExpansion = 1000;
 inline constexpr std::uint64_t kExpansionBase = std::uint64_t{1} << 30;

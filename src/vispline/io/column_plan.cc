@@ -54,6 +54,17 @@ constexpr std::array kPrefixes = {
 constexpr std::array<std::string_view, 7> kTimeNames = {"t",     "time", "timestamp",   "timestamps",
                                                         "stamp", "ts",   "header.stamp"};
 constexpr std::array<std::string_view, 4> kIndexNames = {"index", "idx", "sample", "row"};
+constexpr std::array<std::string_view, 6> kSecNames = {
+    "sec", "secs", "stamp.sec", "stamp.secs", "header.stamp.sec", "header.stamp.secs"};
+constexpr std::array<std::string_view, 9> kNsecNames = {"nsec",
+                                                        "nsecs",
+                                                        "nanosec",
+                                                        "stamp.nsec",
+                                                        "stamp.nsecs",
+                                                        "stamp.nanosec",
+                                                        "header.stamp.nsec",
+                                                        "header.stamp.nsecs",
+                                                        "header.stamp.nanosec"};
 
 /// Units that follow a name after an underscore, "gyro_x_dps".
 constexpr std::array<std::string_view, 22> kSuffixes = {
@@ -65,11 +76,12 @@ struct Scale {
   double factor;
 };
 
-constexpr std::array kGyroUnits = {Scale{"rad/s", 1.0},         Scale{"rad s^-1", 1.0},     Scale{"rad_s", 1.0},
-                                   Scale{"rad_per_s", 1.0},     Scale{"rad_s^-1", 1.0},     Scale{"rps", 1.0},
-                                   Scale{"deg/s", kDegree},     Scale{"deg s^-1", kDegree}, Scale{"deg_s", kDegree},
-                                   Scale{"deg_per_s", kDegree}, Scale{"deg_s^-1", kDegree}, Scale{"dps", kDegree},
-                                   Scale{"\xc2\xb0/s", kDegree}};
+constexpr std::array kGyroUnits = {
+    Scale{"rad/s", 1.0},          Scale{"rad s^-1", 1.0},           Scale{"rad_s", 1.0},
+    Scale{"rad_per_s", 1.0},      Scale{"rad_s^-1", 1.0},           Scale{"rps", 1.0},
+    Scale{"deg/s", kDegree},      Scale{"deg s^-1", kDegree},       Scale{"deg_s", kDegree},
+    Scale{"deg_per_s", kDegree},  Scale{"deg_s^-1", kDegree},       Scale{"dps", kDegree},
+    Scale{"\xc2\xb0/s", kDegree}, Scale{"deg/h", kDegree / 3600.0}, Scale{"deg_per_h", kDegree / 3600.0}};
 constexpr std::array kAccelUnits = {
     Scale{"m/s^2", 1.0},       Scale{"m s^-2", 1.0},         Scale{"m/s/s", 1.0},
     Scale{"m/s2", 1.0},        Scale{"m_s2", 1.0},           Scale{"mps2", 1.0},
@@ -84,8 +96,11 @@ std::string lower(std::string_view text) {
 
 /// "x", "y", "z" or "w" at the end, after '_', '.' or nothing.
 std::optional<Channel> channel_of(std::string_view name) {
-  if (std::find(kTimeNames.begin(), kTimeNames.end(), name) != kTimeNames.end()) return kTimeColumn;
-  if (std::find(kIndexNames.begin(), kIndexNames.end(), name) != kIndexNames.end()) return kIndexColumn;
+  const auto is_one_of = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  if (is_one_of(kTimeNames)) return kTimeColumn;
+  if (is_one_of(kIndexNames)) return kIndexColumn;
+  if (is_one_of(kSecNames)) return kSecColumn;
+  if (is_one_of(kNsecNames)) return kNsecColumn;
   constexpr std::string_view kAxes = "xyzw";
   const std::size_t axis = name.empty() ? std::string_view::npos : kAxes.find(name.back());
   if (axis == std::string_view::npos) return std::nullopt;
@@ -129,6 +144,16 @@ std::optional<double> factor_of(const Table& table, std::string_view unit) {
   return std::nullopt;
 }
 
+template <class Table>
+double factor_of_flag(const Table& table, const std::string& unit, const char* flag, const char* known) {
+  if (const auto factor = factor_of(table, lower(unit))) return *factor;
+  throw Error(ExitCode::kUsage, {.code = "E-ARGUMENT",
+                                 .message = "unknown unit " + vispline::quoted(unit),
+                                 .where = flag,
+                                 .effect = "nothing read",
+                                 .next = std::string("pass ") + known});
+}
+
 [[noreturn]] void fail_unit(const ReadContext& context, const std::string& unit) {
   context.fail(ExitCode::kInput, "E-COLUMNS", "unknown unit " + vispline::quoted(unit) + " in a column name",
                context.path(), "pass --columns with known units, such as \"t [ns],gx [deg/s],...,ax [g],...\"");
@@ -142,6 +167,7 @@ void set_unit(const ReadContext& context, const ColumnName& name, ColumnPlan& pl
     plan.time_unit = time_unit_named(name.unit);
     if (!plan.time_unit) fail_unit(context, name.unit);
   } else if (is_gyro(channel) || is_accel(channel)) {
+    if (!(is_gyro(channel) ? context.options().gyro_unit : context.options().accel_unit).empty()) return;
     const auto factor = is_gyro(channel) ? factor_of(kGyroUnits, name.unit) : factor_of(kAccelUnits, name.unit);
     std::optional<double>& triad = is_gyro(channel) ? plan.gyro_unit : plan.accel_unit;
     if (!factor || (triad && *triad != *factor)) fail_unit(context, name.unit);
@@ -217,6 +243,17 @@ ColumnPlan plan_by_flag(const ReadContext& context, const std::string& columns, 
   return plan;
 }
 
-std::string known_column_names() { return "t index gx gy gz ax ay az px py pz qx qy qz qw, and - to skip a column"; }
+void apply_unit_flags(const ReadOptions& options, ColumnPlan& plan) {
+  if (!options.gyro_unit.empty()) {
+    plan.gyro_unit = factor_of_flag(kGyroUnits, options.gyro_unit, "--gyro-unit", "rad/s, deg/s or deg/h");
+  }
+  if (!options.accel_unit.empty()) {
+    plan.accel_unit = factor_of_flag(kAccelUnits, options.accel_unit, "--accel-unit", "m/s^2, g or mg");
+  }
+}
+
+std::string known_column_names() {
+  return "t sec nsec index gx gy gz ax ay az px py pz qx qy qz qw, and - to skip a column";
+}
 
 }  // namespace vispline

@@ -17,6 +17,8 @@ namespace vispline {
 enum Channel : int {
   kTimeColumn,
   kIndexColumn,
+  kSecColumn,   ///< whole seconds of a stamp in two columns
+  kNsecColumn,  ///< and the nanoseconds that are added to them
   kGyroX,
   kGyroY,
   kGyroZ,
@@ -64,6 +66,10 @@ ColumnPlan plan_by_order(std::string_view order);
 
 /// From the flag --columns. Throws E-COLUMNS (exit 2) for unknown names, (exit 3) for another number of columns.
 ColumnPlan plan_by_flag(const ReadContext& context, const std::string& columns, std::size_t fields);
+
+/// The factors to SI of the flags --gyro-unit and --accel-unit, which win over what the file says. Throws E-ARGUMENT
+/// (exit 2) for unknown names.
+void apply_unit_flags(const ReadOptions& options, ColumnPlan& plan);
 
 /// Names that are known, for messages.
 std::string known_column_names();

@@ -5,6 +5,7 @@
 #include "vispline/io/course_pose.h"
 #include "vispline/io/euroc_groundtruth.h"
 #include "vispline/io/euroc_imu.h"
+#include "vispline/io/gyroflow.h"
 #include "vispline/io/mocap.h"
 #include "vispline/io/plain_csv.h"
 #include "vispline/io/tum.h"
@@ -20,6 +21,7 @@ struct Format {
 
 /// In the order of asking: the more special first.
 constexpr std::array kFormats = {
+    Format{gyroflow::kName, gyroflow::recognizes, nullptr},
     Format{euroc_imu::kName, euroc_imu::recognizes, [](std::size_t) { return euroc_imu::positional(); }},
     Format{euroc_groundtruth::kName, euroc_groundtruth::recognizes,
            [](std::size_t) { return euroc_groundtruth::positional(); }},
@@ -81,12 +83,26 @@ ColumnPlan find_plan(ReadContext& context, const TextLayout& layout) {
 }  // namespace
 
 ColumnPlan plan_columns(ReadContext& context, const TextLayout& layout) {
-  if (context.options().columns.empty()) {
-    return context.options().format.empty() ? find_plan(context, layout) : plan_by_format(context, layout);
+  const ReadOptions& options = context.options();
+  ColumnPlan plan;
+  if (!options.columns.empty()) {
+    plan = plan_by_flag(context, options.columns, layout.fields);
+    plan.format = plain_csv::kName;
+  } else {
+    plan = options.format.empty() ? find_plan(context, layout) : plan_by_format(context, layout);
   }
-  ColumnPlan plan = plan_by_flag(context, context.options().columns, layout.fields);
-  plan.format = plain_csv::kName;
+  apply_unit_flags(options, plan);
   return plan;
+}
+
+void fail_content(const ReadContext& context, const ColumnPlan& plan) {
+  const std::string holds = plan.has_imu()         ? "IMU samples"
+                            : plan.has_poses()     ? "poses"
+                            : plan.has(kGyroX, 3)  ? "a gyroscope and no accelerometer"
+                            : plan.has(kAccelX, 3) ? "an accelerometer and no gyroscope"
+                                                   : "neither poses nor IMU samples";
+  context.fail(ExitCode::kInput, "E-COLUMNS", "no " + context.noun() + ": the columns hold " + holds, context.path(),
+               "pass another file, or --columns with these names: " + known_column_names());
 }
 
 std::string format_names() {

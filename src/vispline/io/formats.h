@@ -12,6 +12,9 @@ namespace vispline {
 /// E-COLUMNS if none does, E-ARGUMENT (exit 2) for an unknown --format. W-COLUMNS says which order was assumed.
 ColumnPlan plan_columns(ReadContext& context, const TextLayout& layout);
 
+/// E-COLUMNS: the columns hold something else than context.noun().
+[[noreturn]] void fail_content(const ReadContext& context, const ColumnPlan& plan);
+
 /// "euroc_imu, euroc_groundtruth, ..."
 std::string format_names();
 

@@ -7,21 +7,6 @@
 
 namespace vispline {
 
-void LineIndex::push_back(std::int64_t line) {
-  const bool follows =
-      !runs_.empty() && line == runs_.back().line + static_cast<std::int64_t>(rows_ - runs_.back().row);
-  if (!follows) runs_.push_back({rows_, line});
-  ++rows_;
-}
-
-std::int64_t LineIndex::line_of(std::size_t row) const {
-  if (runs_.empty()) return 1;
-  const auto after =
-      std::upper_bound(runs_.begin(), runs_.end(), row, [](std::size_t r, const Run& run) { return r < run.row; });
-  const Run& run = after == runs_.begin() ? runs_.front() : *(after - 1);
-  return run.line + static_cast<std::int64_t>(row - run.row);
-}
-
 ReadContext::ReadContext(std::string path, std::string noun, ReadOptions options)
     : path_(std::move(path)), noun_(std::move(noun)), options_(std::move(options)) {}
 

@@ -3,28 +3,11 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "vispline/core/error.h"
 #include "vispline/io/read_options.h"
 
 namespace vispline {
-
-/// Line number (from 1) of each row of a table. Rows mostly follow each other, so only the jumps are stored.
-class LineIndex {
- public:
-  /// The next row stands in `line`.
-  void push_back(std::int64_t line);
-  std::int64_t line_of(std::size_t row) const;
-
- private:
-  struct Run {
-    std::size_t row;
-    std::int64_t line;
-  };
-  std::vector<Run> runs_;
-  std::size_t rows_ = 0;
-};
 
 /// A loss of up to 0.1 % of the rows warns, up to 1 % warns loudly, above that fails unless repair is asked for.
 inline constexpr double kQuietLoss = 0.001;
@@ -37,14 +20,12 @@ class ReadContext {
 
   ReadCounts counts;
   Diagnostics diagnostics;
-  LineIndex lines;
 
   const std::string& path() const { return path_; }
   const std::string& noun() const { return noun_; }
   const ReadOptions& options() const { return options_; }
 
-  /// file:line of a row of the table.
-  std::string where_row(std::size_t row) const { return where_line(lines.line_of(row)); }
+  /// file:line, from 1.
   std::string where_line(std::int64_t line) const { return path_ + ":" + std::to_string(line); }
 
   void warn(std::string code, std::string message, std::string where, std::string effect, std::string next = "");

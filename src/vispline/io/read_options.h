@@ -6,13 +6,16 @@
 namespace vispline {
 
 struct ReadOptions {
-  std::string format = {};     ///< kName of a format; empty: found from the content
-  std::string columns = {};    ///< "t,gx,gy,gz,ax,ay,az" with optional units "gx [deg/s]"; "-" skips a column
-  std::string time_unit = {};  ///< s, ms, us, ns or index@RATE, RATE in Hz as 200 or 2000/7; empty: from the file
-  char decimal = '.';          ///< ',' for files with a decimal comma
-  bool skip_bad_rows = false;  ///< leave out up to 0.1 % of malformed rows instead of failing
-  bool repair = false;         ///< leave out or sort more rows than the usual 1 %
-  bool strict = false;         ///< the first warning is an error
+  std::string format = {};      ///< kName of a format; empty: found from the content
+  std::string columns = {};     ///< "t,gx,gy,gz,ax,ay,az" with optional units "gx [deg/s]"; "-" skips a column
+  std::string time_unit = {};   ///< s, ms, us, ns or index@RATE, RATE in Hz as 200 or 2000/7; empty: from the file
+  double rate_hz = 0.0;         ///< the file has no times: its rows are samples at this rate from t = 0; 0: not given
+  std::string gyro_unit = {};   ///< rad/s, deg/s, deg/h; empty: from the file
+  std::string accel_unit = {};  ///< m/s^2, g, mg; empty: from the file
+  char decimal = '.';           ///< ',' for files with a decimal comma
+  bool skip_bad_rows = false;   ///< leave out up to 0.1 % of malformed rows instead of failing
+  bool repair = false;          ///< leave out or sort more rows than the usual 1 %
+  bool strict = false;          ///< the first warning is an error
 };
 
 }  // namespace vispline

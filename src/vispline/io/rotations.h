@@ -2,16 +2,17 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "vispline/core/types.h"
-#include "vispline/io/stamps.h"
+#include "vispline/io/stamp_screen.h"
 
 namespace vispline {
 
 /// Rotation matrices of x y z w quaternions at kept rows. A norm off by more than 1e-3 is normalised with W-QUATERNION;
 /// off by more than 0.1 is E-QUATERNION, or with --repair flags the row to be left out (`keep` becomes 0).
 std::vector<Matrix3d> to_rotations(ReadContext& context, const std::vector<Eigen::Quaterniond>& quaternions,
-                                   const StampedRows& rows, std::vector<std::uint8_t>& keep);
+                                   std::span<const SensorRow> rows, std::vector<std::uint8_t>& keep);
 
 }  // namespace vispline

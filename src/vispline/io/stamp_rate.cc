@@ -7,37 +7,22 @@
 #include <numeric>
 #include <string>
 
+#include "vispline/io/number_text.h"
+
 namespace vispline {
 namespace {
 
 constexpr std::int64_t kMinGap = 100'000'000;  // 0.1 s
-constexpr std::size_t kMinRows = 10;           ///< below this a rate says nothing
+constexpr std::int64_t kMinRows = 10;          ///< below this a rate says nothing
+constexpr std::int64_t kMaxStep = INT64_MAX / 2048;
+/// Long steps that wait for the median at most. Only a signal below 10 Hz has as many.
+constexpr std::size_t kMostLongSteps = 4096;
 constexpr double kMaxJitter = 0.2, kMaxLost = 0.001, kMaxRateChange = 0.02;
 /// Rounding is worth a warning if a step holds fewer than this many units of it.
 constexpr std::int64_t kCoarse = 20;
 
 std::string seconds(std::int64_t ns) { return brief_seconds(static_cast<double>(ns) * 1e-9); }
 std::string milliseconds(std::int64_t ns) { return brief(static_cast<double>(ns) * 1e-6) + " ms"; }
-
-std::int64_t gap_limit(std::int64_t step) { return std::max(10 * step, kMinGap); }
-
-void check_gaps(ReadContext& context, const StampedRows& rows, std::int64_t step) {
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const std::int64_t gap = rows.ns[i] - rows.ns[i - 1];
-    if (gap <= gap_limit(step)) continue;
-    context.warn("W-GAP", "gap of " + seconds(gap) + " after t = " + seconds(rows.ns[i - 1]),
-                 context.where_row(rows.row[i]), "nothing is put in its place");
-  }
-}
-
-/// The steps, sorted; a fixed sample of them if there are many.
-std::vector<std::int64_t> sorted_steps(const StampedRows& rows) {
-  std::vector<std::int64_t> steps;
-  const std::size_t stride = sampling_stride(rows.size());
-  for (std::size_t i = 1; i < rows.size(); i += stride) steps.push_back(rows.ns[i] - rows.ns[i - 1]);
-  std::sort(steps.begin(), steps.end());
-  return steps;
-}
 
 void check_precision(ReadContext& context, const std::vector<std::int64_t>& steps, std::int64_t step) {
   std::int64_t unit = 0;
@@ -68,22 +53,20 @@ std::string histogram(const std::vector<std::int64_t>& steps, std::int64_t step)
 }
 
 /// Relative difference of the median steps of the two halves.
-double rate_change(const StampedRows& rows) {
-  const auto middle = rows.ns.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-  const auto a = static_cast<double>(median_step_ns({rows.ns.begin(), middle}));
-  const auto b = static_cast<double>(median_step_ns({middle, rows.ns.end()}));
+double rate_change(const std::vector<std::int64_t>& steps) {
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  const auto a = static_cast<double>(median_of_steps({steps.begin(), middle}));
+  const auto b = static_cast<double>(median_of_steps({middle, steps.end()}));
   return std::abs(a - b) / std::max(a, b);
 }
 
-void check_rhythm(ReadContext& context, const StampedRows& rows, const std::vector<std::int64_t>& steps,
-                  std::int64_t step) {
+void check_rhythm(ReadContext& context, const std::vector<std::int64_t>& steps, std::int64_t step, double change) {
   const auto at = [&](double part) {
     return static_cast<double>(steps[static_cast<std::size_t>(part * static_cast<double>(steps.size() - 1))]);
   };
   const double jitter = 0.5 * (at(0.95) - at(0.05)) / static_cast<double>(step);
   const auto lost = std::count_if(steps.begin(), steps.end(), [&](std::int64_t s) { return s > step + step / 2; });
   const double lost_share = static_cast<double>(lost) / static_cast<double>(steps.size());
-  const double change = rate_change(rows);
   std::string found;
   if (jitter > kMaxJitter) found += "jitter " + percent(jitter) + "; ";
   if (lost_share > kMaxLost) found += percent(lost_share) + " of the steps miss samples; ";
@@ -95,13 +78,42 @@ void check_rhythm(ReadContext& context, const StampedRows& rows, const std::vect
 
 }  // namespace
 
-void check_rate(ReadContext& context, const StampedRows& rows) {
-  if (rows.size() < kMinRows) return;
-  const std::int64_t step = median_step_ns(rows.ns);
-  const std::vector<std::int64_t> steps = sorted_steps(rows);
-  check_gaps(context, rows, step);
-  check_precision(context, steps, step);
-  check_rhythm(context, rows, steps, step);
+std::int64_t median_of_steps(std::vector<std::int64_t> steps) {
+  if (steps.empty()) return 0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return std::min(*middle, kMaxStep);
+}
+
+void RateCheck::add_step(std::int64_t ns, std::int64_t where) {
+  const std::int64_t step = ns - last_;
+  steps_.add(step);
+  if (step <= kMinGap) return;
+  long_steps_.push_back({last_, step, where});
+  if (long_steps_.size() == kMostLongSteps) judge_gaps();
+}
+
+std::int64_t RateCheck::median_step() const { return median_of_steps(steps_.values()); }
+
+void RateCheck::judge_gaps() {
+  const std::int64_t limit = std::max(10 * median_step(), kMinGap);
+  for (const Gap& gap : long_steps_) {
+    if (gap.step <= limit) continue;
+    context_.warn("W-GAP", "gap of " + seconds(gap.step) + " after t = " + seconds(gap.after),
+                  context_.where_line(gap.where), "nothing is put in its place");
+  }
+  long_steps_.clear();
+}
+
+void RateCheck::judge() {
+  if (rows_ < kMinRows) return;
+  judge_gaps();
+  const std::int64_t step = median_step();
+  std::vector<std::int64_t> steps = steps_.values();
+  const double change = rate_change(steps);
+  std::sort(steps.begin(), steps.end());
+  check_precision(context_, steps, step);
+  check_rhythm(context_, steps, step, change);
 }
 
 }  // namespace vispline

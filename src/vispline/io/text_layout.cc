@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "vispline/files/limits.h"
 #include "vispline/io/text_cells.h"
@@ -23,7 +24,30 @@ struct HeadLine {
 struct Head {
   std::vector<HeadLine> comments;  ///< before the first row
   std::vector<HeadLine> rows;      ///< up to kSampleRows + 1 lines that are no comment
+  std::map<std::string, std::string> notes;
 };
+
+constexpr std::string_view kNotesFollow = "GYROFLOW IMU LOG";
+
+/// Is the line, which is no comment, one of the notes before the table? Then it is taken.
+bool take_note(std::string_view line, Head& head) {
+  const bool first = head.rows.empty() && head.notes.empty() && line.starts_with(kNotesFollow);
+  const bool more = head.rows.empty() && !head.notes.empty() && !line.starts_with("t,");
+  if (!first && !more) return false;
+  const std::size_t comma = std::min(line.find(','), line.size());
+  head.notes.emplace(trimmed(line.substr(0, comma)), trimmed(line.substr(std::min(comma + 1, line.size()))));
+  return true;
+}
+
+/// The line at `pos`. Throws E-LIMIT if it is longer than limits::kLineBytes.
+std::string_view limited_line(const ReadContext& context, std::string_view text, std::size_t pos, std::int64_t line) {
+  const std::string_view window = text.substr(pos, limits::kLineBytes + 1);
+  const std::size_t length = window.find('\n');
+  if (length != std::string_view::npos) return window.substr(0, length);
+  if (window.size() <= limits::kLineBytes) return window;
+  context.fail(ExitCode::kLimit, "E-LIMIT", "a line is longer than " + std::to_string(limits::kLineBytes) + " bytes",
+               context.where_line(line), "check that this is a table with one row a line");
+}
 
 Head read_head(const ReadContext& context, std::string_view text) {
   Head head;
@@ -31,7 +55,7 @@ Head read_head(const ReadContext& context, std::string_view text) {
   for (std::size_t pos = 0; pos < text.size() && head.rows.size() <= kSampleRows; ++number) {
     const std::string_view line = limited_line(context, text, pos, number);
     if (!is_comment(line)) {
-      head.rows.push_back({line, pos, number});
+      if (!take_note(line, head)) head.rows.push_back({line, pos, number});
     } else if (head.rows.empty() && !trimmed(line).empty()) {
       head.comments.push_back({line, pos, number});
     }
@@ -169,19 +193,11 @@ void check_header(const ReadContext& context, const TextLayout& layout, const He
 
 }  // namespace
 
-std::string_view limited_line(const ReadContext& context, std::string_view text, std::size_t pos, std::int64_t line) {
-  const std::string_view window = text.substr(pos, limits::kLineBytes + 1);
-  const std::size_t length = window.find('\n');
-  if (length != std::string_view::npos) return window.substr(0, length);
-  if (window.size() <= limits::kLineBytes) return window;
-  context.fail(ExitCode::kLimit, "E-LIMIT", "a line is longer than " + std::to_string(limits::kLineBytes) + " bytes",
-               context.where_line(line), "check that this is a table with one row a line");
-}
-
 TextLayout find_layout(ReadContext& context, std::string_view text) {
   Head head = read_head(context, text);
   if (head.rows.empty()) fail_empty(context, text.empty() ? "the file is empty" : "the file holds no row of numbers");
   TextLayout layout;
+  layout.notes = std::move(head.notes);
   layout.separator = separator_of(head.rows[0].text, context.options().decimal);
   const std::vector<std::string> first = cells_of(head.rows[0].text, layout.separator);
   if (first.size() > limits::kFields) {
@@ -206,6 +222,7 @@ TextLayout find_layout(ReadContext& context, std::string_view text) {
   if (layout.header.empty()) {
     find_comment_header(head.comments, layout);
   } else {
+    if (layout.separator == ' ' && layout.fields == 1) layout.header.resize(1);  // one name of several words
     check_header(context, layout, head.rows[0], layout.fields);
     layout.fields = layout.header.size();
   }

@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "vispline/io/text_table.h"
+#include "vispline/io/text_row.h"
 
 namespace vispline {
 namespace {
 
 using Kind = TimeUnit::Kind;
-constexpr std::size_t kSampledSteps = 65536;
 constexpr double kMinRate = 1.0, kMaxRate = 1e5;
 /// Nanosecond stamps since 1970 are above this, stamps in seconds never.
 constexpr std::int64_t kEpochNanoseconds = 100'000'000'000'000'000;
@@ -89,11 +88,10 @@ double step_between(const Decimal& a, const Decimal& b) {
 
 bool is_before(const Decimal& a, const Decimal& b) { return a.whole != b.whole ? a.whole < b.whole : a.nano < b.nano; }
 
-/// Steps that are not zero, in the unit of the file; some of them if there are many.
+/// Steps that are not zero, in the unit of the file.
 std::vector<double> steps_of(const std::vector<Decimal>& stamps, std::size_t& backward) {
   std::vector<double> steps;
-  const std::size_t stride = sampling_stride(stamps.size());
-  for (std::size_t i = 1; i < stamps.size(); i += stride) {
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
     if (stamps[i].whole == kNoStamp || stamps[i - 1].whole == kNoStamp) continue;
     const double step = step_between(stamps[i - 1], stamps[i]);
     if (step != 0.0) steps.push_back(step);
@@ -132,6 +130,13 @@ std::string guesses(double step) {
     text += (text.empty() ? "" : " or ") + std::string(name) + " (" + brief(1e9 / (step * unit.nanoseconds())) + " Hz)";
   }
   return text.empty() ? "no unit fits" : "looks like " + text;
+}
+
+[[noreturn]] void fail_step(const ReadContext& context, double step, const TimeUnit& unit) {
+  context.fail(ExitCode::kInput, "E-TIME-UNIT",
+               "the stamps step by " + brief(step) + ", which is " + brief(1e9 / (step * unit.nanoseconds())) +
+                   " Hz in the unit assumed; it " + guesses(step),
+               context.path(), "pass --time-unit s, ms, us, ns or index@RATE");
 }
 
 }  // namespace
@@ -191,23 +196,28 @@ std::optional<std::int64_t> to_nanoseconds(const Decimal& stamp, const TimeUnit&
   return std::nullopt;
 }
 
-TimeUnit settle_time_unit(const ReadContext& context, const std::vector<Decimal>& stamps,
+TimeUnit settle_time_unit(const ReadContext& context, const std::vector<Decimal>& stamps, bool all,
                           std::optional<TimeUnit> declared) {
-  const double step = median_step(stamps);
   if (stamps.size() < 2) return declared.value_or(TimeUnit{});
-  if (step == 0.0) {
-    context.fail(ExitCode::kInput, "E-TIME-CONSTANT", "all " + std::to_string(stamps.size()) + " stamps are equal",
-                 context.path(), "pass --time-unit index@RATE with --columns if the rows are evenly spaced");
-  }
+  const double step = median_step(stamps);
   const bool epoch_ns = stamps[stamps.size() / 2].whole > kEpochNanoseconds;
   const TimeUnit assumed = declared.value_or(TimeUnit{.kind = epoch_ns ? Kind::kNanoseconds : Kind::kSeconds});
-  if (is_plausible(step, assumed)) return assumed;
-  context.fail(ExitCode::kInput, "E-TIME-UNIT",
-               "the stamps step by " + brief(step) + ", which is " + brief(1e9 / (step * assumed.nanoseconds())) +
-                   " Hz in the unit assumed; it " + guesses(step),
-               context.path(), "pass --time-unit s, ms, us, ns or index@RATE");
+  if (step > 0.0) {
+    if (!is_plausible(step, assumed)) fail_step(context, step, assumed);
+  } else if (all) {
+    fail_constant_time(context, static_cast<std::int64_t>(stamps.size()));
+  }
+  return assumed;
 }
 
-std::size_t sampling_stride(std::size_t count) { return std::max<std::size_t>(1, count / kSampledSteps); }
+void check_time_step(const ReadContext& context, double step_ns, const TimeUnit& unit) {
+  const double step = step_ns / unit.nanoseconds();
+  if (!is_plausible(step, unit)) fail_step(context, step, unit);
+}
+
+void fail_constant_time(const ReadContext& context, std::int64_t stamps) {
+  context.fail(ExitCode::kInput, "E-TIME-CONSTANT", "all " + std::to_string(stamps) + " stamps are equal",
+               context.path(), "pass --time-unit index@RATE with --columns if the rows are evenly spaced");
+}
 
 }  // namespace vispline

@@ -34,12 +34,15 @@ std::optional<TimeUnit> time_unit_named(std::string_view name);
 std::optional<std::int64_t> to_nanoseconds(const Decimal& stamp, const TimeUnit& unit);
 
 /// Checks a unit that the format or the header declares, or finds it: seconds or nanoseconds if the implied rate leaves
-/// no doubt. Throws E-TIME-UNIT with a guess if the implied rate is outside 1 Hz .. 100 kHz, E-TIME-CONSTANT if all
-/// stamps are equal.
-TimeUnit settle_time_unit(const ReadContext& context, const std::vector<Decimal>& stamps,
+/// no doubt. `stamps` are the first of the file; `all`: there are no others. Throws E-TIME-UNIT with a guess if the
+/// implied rate is outside 1 Hz .. 100 kHz, E-TIME-CONSTANT if all stamps of the file are equal.
+TimeUnit settle_time_unit(const ReadContext& context, const std::vector<Decimal>& stamps, bool all,
                           std::optional<TimeUnit> declared);
 
-/// Index of steps to look at when a whole column is too long: all up to a limit, evenly spaced above.
-std::size_t sampling_stride(std::size_t count);
+/// The same for the median step of a whole file, which its first rows may not have shown.
+void check_time_step(const ReadContext& context, double step_ns, const TimeUnit& unit);
+
+/// All of several stamps are equal.
+[[noreturn]] void fail_constant_time(const ReadContext& context, std::int64_t stamps);
 
 }  // namespace vispline
