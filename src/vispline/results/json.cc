@@ -93,6 +93,10 @@ JsonObject& JsonObject::set(std::string_view key, const std::vector<double>& val
   node_->json[std::string(key)] = value;
   return *this;
 }
+JsonObject& JsonObject::set(std::string_view key, const std::vector<std::int64_t>& value) {
+  node_->json[std::string(key)] = value;
+  return *this;
+}
 JsonObject& JsonObject::set(std::string_view key, const JsonObject& value) {
   node_->json[std::string(key)] = value.node_->json;
   return *this;

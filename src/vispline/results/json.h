@@ -34,6 +34,7 @@ class JsonObject {
   JsonObject& set(std::string_view key, const Vector3d& value);               ///< [x, y, z]
   JsonObject& set(std::string_view key, const Matrix3d& value);               ///< three rows
   JsonObject& set(std::string_view key, const std::vector<double>& value);
+  JsonObject& set(std::string_view key, const std::vector<std::int64_t>& value);
   JsonObject& set(std::string_view key, const JsonObject& value);
   JsonObject& set(std::string_view key, const std::vector<JsonObject>& value);
 
