@@ -15,8 +15,8 @@ struct SelfTestRow {
   double truth = 0.0;
   int runs = 0, resolved = 0;
   double mean = 0.0, standard_deviation = 0.0;  ///< of the resolved values
-  double covered = 0.0;      ///< share of runs whose 95 % interval (or bound) holds the truth
-  double bound = 0.0;        ///< mean upper bound of the others
+  double covered = 0.0;                         ///< share of runs whose 95 % interval (or bound) holds the truth
+  double bound = 0.0;                           ///< mean upper bound of the others
 };
 
 struct SelfTest {

@@ -43,9 +43,10 @@ class ImuFeeder {
     }
     end_segment();
     if (bursty_) {
-      session.add(Diagnostic{"W-RATE", "the stamps come in bursts: they are times of arrival, not of sampling", "",
-                             "the samples are taken as evenly spaced between gaps of a second",
-                             "let the driver stamp the samples, or give the rate with --columns (- for the times) and --rate"});
+      session.add(
+          Diagnostic{"W-RATE", "the stamps come in bursts: they are times of arrival, not of sampling", "",
+                     "the samples are taken as evenly spaced between gaps of a second",
+                     "let the driver stamp the samples, or give the rate with --columns (- for the times) and --rate"});
     }
     return analyzer_->finish(span_s_ > 0.0 ? static_cast<double>(steps_) / span_s_ : 1.0);
   }
@@ -61,7 +62,8 @@ class ImuFeeder {
       std::vector<double> sorted = steps;
       std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
       const double median = sorted[sorted.size() / 2];
-      const auto off = std::count_if(steps.begin(), steps.end(), [&](double s) { return std::abs(s - median) > 0.5 * median; });
+      const auto off =
+          std::count_if(steps.begin(), steps.end(), [&](double s) { return std::abs(s - median) > 0.5 * median; });
       bursty_ = static_cast<double>(off) > kBurstyShare * static_cast<double>(steps.size());
       gap_ns_ = bursty_ ? 1e9 : std::max(10.0 * median, 1e8);
     }

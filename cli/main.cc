@@ -15,6 +15,7 @@ constexpr const char* kFooter =
     "  vispline demo --out out/demo\n"
     "  vispline simulate --trajectory dance --imu-rate 200 --noise course --out imu.csv\n"
     "  vispline simulate --trajectory mocap.csv --like imu.csv --out synth.csv\n"
+    "  vispline allan static.csv --out out/allan --export kalibr,openvins\n"
     "  vispline evaluate synth.csv imu.csv\n"
     "  vispline integrate --trajectory ellipse --imu-rate 50,100,200 --method all";
 
@@ -25,6 +26,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   vispline::cli::add_simulate(app);
   vispline::cli::add_integrate(app);
+  vispline::cli::add_allan(app);
   vispline::cli::add_evaluate(app);
   vispline::cli::add_demo(app);
   try {

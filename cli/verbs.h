@@ -7,6 +7,7 @@ namespace vispline::cli {
 
 void add_simulate(CLI::App& app);
 void add_integrate(CLI::App& app);
+void add_allan(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_demo(CLI::App& app);
 

@@ -202,13 +202,13 @@ struct AllanAnalyzer::State {
       return x.end - x.begin < y.end - y.begin;
     });
     const std::vector<double> phase = options.clock && held ? segment_phase(a, *longest) : std::vector<double>{};
-    int alpha = 0;
+    int alpha = 2;  // a steeper noise fades for good: it never rules again at a longer time
     for (std::size_t i = 0; i < sums.factors.size(); ++i) {
       const std::int64_t m = sums.factors[i];
       const double value = deviation(kind, sums.sums[i], m, 1.0) * (kind == Deviation::kTdev ? 1.0 / rate_hz : 1.0);
       if (!std::isfinite(value)) continue;
       const double tau_s = static_cast<double>(m) / rate_hz;
-      if (options.clock) alpha = noise_alpha(phase, m).value_or(alpha);
+      if (options.clock) alpha = std::min(alpha, noise_alpha(phase, m).value_or(alpha));
       const std::vector<NoiseShare> parts =
           options.clock ? std::vector<NoiseShare>{{alpha, 1.0}} : shares(terms, tau_s);
       const double edf = pooled_edf(kind, m, all_lengths, [&](std::int64_t points) {
