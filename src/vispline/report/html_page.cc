@@ -1,5 +1,6 @@
 #include "vispline/report/html_page.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
@@ -46,6 +47,19 @@ void write_contents(const Page& page, Markup& html) {
 }
 
 void write(const Paragraph& paragraph, Markup& html) { html.element("p", paragraph.text).newline(); }
+
+/// Line ends and tabs are markup of ours, whatever lies between them is text.
+void write(const Preformatted& block, Markup& html) {
+  html.open("pre");
+  std::string_view rest = block.text;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find_first_of("\n\t"), rest.size());
+    html.text(rest.substr(0, end));
+    if (end < rest.size()) html.verbatim(rest[end] == '\n' ? "\n" : "\t");
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  html.close().newline();
+}
 
 void write(const Cards& cards, Markup& html) {
   html.open("div", {{"class", "cards"}}).newline();

@@ -15,6 +15,11 @@ struct Paragraph {
   std::string text{};
 };
 
+/// Lines to copy out of the page as they stand: \n and \t stay what they are.
+struct Preformatted {
+  std::string text{};
+};
+
 /// A number to remember, set large.
 struct Card {
   double value = 0.0;
@@ -51,7 +56,7 @@ struct Figure {
   std::string caption{};  ///< may be empty
 };
 
-using Block = std::variant<Paragraph, Cards, Table, Figure>;
+using Block = std::variant<Paragraph, Preformatted, Cards, Table, Figure>;
 
 struct Section {
   std::string heading{};

@@ -30,8 +30,9 @@ Page page_of(const std::string& name, double value, int sections = 4) {
   Table table{
       name, {{name, "", false, 4}, {name, name, true, 4}, {name, name, true, 4}}, {{name, value, std::int64_t{7}}}};
   Figure pair{{plot_named(name, value), plot_named(name, value)}, name};
-  Section section{
-      name, {Paragraph{name}, Cards{{{value, name, name, 4}}}, table, Figure{{plot_named(name, value)}, name}, pair}};
+  Section section{name,
+                  {Paragraph{name}, Cards{{{value, name, name, 4}}}, table, Figure{{plot_named(name, value)}, name},
+                   pair, Preformatted{name}}};
   Page page{name, name, {}, {name, 42, name}};
   page.sections.assign(static_cast<std::size_t>(sections), section);
   return page;
@@ -87,6 +88,15 @@ TEST(HtmlPage, ValuesThatAreNotNumbersReadAsADash) {
     EXPECT_EQ(read.named("td").at(1).text, "7");
     EXPECT_EQ(read.named("b").at(0).text.substr(0, 3), "—");
   }
+}
+
+TEST(HtmlPage, LinesToCopyKeepTheirLineEndsAndTabs) {
+  Page page = page_of("x", 1.0, 1);
+  page.sections[0].blocks = {Preformatted{"a\tb\n<i>\x1b\n\nend"}};
+  EXPECT_EQ(read_back(page).named("pre").at(0).text, "a\tb\n<i>\\u001B\n\nend");
+  page.sections[0].blocks = {Preformatted{"\n"}, Preformatted{""}};
+  EXPECT_EQ(read_back(page).named("pre").at(0).text, "\n");
+  EXPECT_EQ(read_back(page).named("pre").at(1).text, "");
 }
 
 TEST(HtmlPage, TablesNameTheirRowsAndColumns) {

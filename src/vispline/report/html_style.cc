@@ -50,6 +50,8 @@ tbody tr:hover{background:var(--faint)}
 footer{margin-top:4rem;padding-top:1rem;padding-bottom:3rem;color:var(--soft);font-size:.85rem}
 footer p{margin:.35rem 0;max-width:none}
 code{font:.95em/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;overflow-wrap:anywhere}
+pre{margin:1rem 0 1.5rem;padding:.9rem 1.1rem;overflow-x:auto;background:var(--faint);border-radius:.6rem;tab-size:14;
+font:.82rem/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace}
 @media (max-width:38rem){header{padding-top:1.5rem}h1{font-size:1.6rem}h2{margin-top:2.25rem}
 .card{padding:.75rem .85rem}.card b{font-size:1.2rem}.card i{font-size:.9rem}
 .wide{display:none}.narrow{display:block}}

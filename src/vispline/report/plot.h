@@ -32,11 +32,14 @@ struct Series {
   bool dashed = false;
 };
 
+enum class Side { kRoom, kLeft, kRight };  ///< kRoom: where there is more room
+
 /// A short text that ends up beside a point of the plot.
 struct Annotation {
   double x = 0.0;
   double y = 0.0;
   std::string text{};
+  Side side = Side::kRoom;
 };
 
 struct Plot {

@@ -96,13 +96,13 @@ void draw_frame(const Layout& box, Markup& svg) {
   svg.empty("path", {{"class", "axis"}, {"d", d}, {"fill", "none"}, {"stroke", "#7C858F"}}).newline();
 }
 
-/// Beside the point, on the side that has room.
+/// Beside the point, on the side that is asked for or has room.
 void draw_annotation(const Annotation& note, const Axes& axes, Markup& svg) {
   if (!drawable(note.x, axes.x.log()) || !drawable(note.y, axes.y.log())) return;
   const double x = axes.x.to_px(note.x);
   const double y = axes.y.to_px(note.y);
   if (x < 0.0 || x > axes.x.length_px() || y < 0.0 || y > axes.y.length_px()) return;
-  const bool left = x > 0.6 * axes.x.length_px();
+  const bool left = note.side == Side::kLeft || (note.side == Side::kRoom && x > 0.6 * axes.x.length_px());
   const double room = left ? x - 6.0 : axes.x.length_px() - x - 6.0;
   svg.open("g", {{"class", "halo"}, {"fill", kInk}, {"stroke", kPaper}, {"paint-order", "stroke"}});
   svg.element("text", shortened(note.text, room / kFontPx),

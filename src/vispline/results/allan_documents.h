@@ -20,7 +20,7 @@ std::string allan_text(const AllanResult& result);
 /// of the terms. Units stand in the header. A row for every tau of any curve; cells without a value are empty.
 std::string allan_curve_csv(const AllanResult& result);
 
-/// The noise of gyroscope and accelerometer in Kalibr's imu.yaml: the worst axis of each, the mean beside it as a
+/// The noise of gyroscope and accelerometer in Kalibr's imu.yaml: the worst axis of each, unit and mean above it in a
 /// comment. An axis that does not resolve a quantity counts with its bound, and the comment says so; without a bound
 /// the line is a comment. The key rostopic is the reader's to add.
 std::string allan_kalibr_yaml(const AllanResult& result);

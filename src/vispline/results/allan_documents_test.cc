@@ -215,12 +215,14 @@ TEST(AllanCurveCsv, CurvesOfDifferentTausShareTheRowsTheyHave) {
 
 TEST(AllanKalibrYaml, WritesTheWorstAxisAndSaysWhatIsABound) {
   EXPECT_EQ(allan_kalibr_yaml(synthetic_allan_result()),
-            "accelerometer_noise_density: 2.800e-03  # m/s^2/sqrt(Hz), worst axis (z), mean 2.400e-03\n"
-            "accelerometer_random_walk: 2.600e-05  # m/s^3/sqrt(Hz), worst axis (y), mean 2.400e-05, not observable on "
-            "x: 95 % bound 2.000e-05\n"
-            "gyroscope_noise_density: 1.900e-04  # rad/s/sqrt(Hz), worst axis (z), mean 1.800e-04\n"
-            "gyroscope_random_walk: 3.100e-06  # rad/s^2/sqrt(Hz), mean 2.250e-06, not observable on z: 95 % bound "
-            "3.100e-06\n"
+            "# m/s^2/sqrt(Hz), worst axis (z), mean 2.400e-03\n"
+            "accelerometer_noise_density: 2.800e-03\n"
+            "# m/s^3/sqrt(Hz), worst axis (y), mean 2.400e-05, not observable on x: 95 % bound 2.000e-05\n"
+            "accelerometer_random_walk: 2.600e-05\n"
+            "# rad/s/sqrt(Hz), worst axis (z), mean 1.800e-04\n"
+            "gyroscope_noise_density: 1.900e-04\n"
+            "# rad/s^2/sqrt(Hz), mean 2.250e-06, not observable on z: 95 % bound 3.100e-06\n"
+            "gyroscope_random_walk: 3.100e-06\n"
             "update_rate: 200.0\n");
 }
 

@@ -8,23 +8,23 @@ namespace {
 
 constexpr int kDigits = 4;
 
-/// Where the value comes from. Precondition: limit() has a value.
+/// A line that says where the value comes from. Precondition: limit() has a value.
 std::string comment_of(const SensorSummary& sensor, Term term) {
   const TermSummary& s = sensor[term];
-  std::string text = "  # " + unit_of(term, sensor.unit);
+  std::string text = "# " + unit_of(term, sensor.unit);
   if (s.worst == s.limit()) text += ", worst axis (" + s.worst_axis + ")";
   if (s.mean) text += ", mean " + scientific_text(s.mean, kDigits);
-  if (s.unresolved_axes.empty()) return text;
+  if (s.unresolved_axes.empty()) return text + "\n";
   text += ", not observable on";
   for (const std::string& axis : s.unresolved_axes) text += " " + axis;
-  return text + ": 95 % bound " + scientific_text(s.upper_bound, kDigits);
+  return text + ": 95 % bound " + scientific_text(s.upper_bound, kDigits) + "\n";
 }
 
 std::string line_of(const SensorSummary& sensor, Term term) {
   const std::string key = kalibr_key(sensor.sensor, term);
   const auto value = sensor[term].limit();
   if (!value) return "# " + key + ": not observable in this record, and no bound\n";
-  return key + ": " + scientific_text(value, kDigits) + comment_of(sensor, term) + "\n";
+  return comment_of(sensor, term) + key + ": " + scientific_text(value, kDigits) + "\n";
 }
 
 }  // namespace
