@@ -6,7 +6,7 @@
 #include "flags.h"
 #include "vispline/calibration/imu_utils_curves.h"
 #include "vispline/calibration/noise_files.h"
-// #include "vispline/report/allan_section.h"
+#include "vispline/report/allan_section.h"
 #include "vispline/results/allan_documents.h"
 
 namespace vispline::cli {
@@ -92,8 +92,8 @@ std::vector<std::string> write_allan(const std::string& dir, const AllanResult& 
                                      const std::string& title, const Session& session) {
   std::vector<std::string> next;
   std::vector<NamedText> files{{"allan.json", allan_json(result, session.context)},
-                               {"curve.csv", allan_curve_csv(result)}
-                               };
+                               {"curve.csv", allan_curve_csv(result)},
+                               {"report.html", report::allan_page(result, title)}};
   for (const std::string& dialect : dialects) {
     const ImuNoiseEntry entry = noise_entry(result, topic);
     const ImuUtilsTables tables{imu_utils_triad(result, "gyroscope"), imu_utils_triad(result, "accelerometer")};
