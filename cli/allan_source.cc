@@ -36,7 +36,8 @@ class ImuFeeder {
     if (first_time_.size() >= kFirstStamps) start();
   }
 
-  AllanResult finish(Session& session) {
+  /// `known_rate_hz` as it was given, or 0: from the stamps.
+  AllanResult finish(Session& session, double known_rate_hz) {
     if (gap_ns_ == 0.0) start();
     if (!analyzer_) {
       throw Error(ExitCode::kUnfit, {"E-TOO-SHORT", "the file holds no samples", "", "nothing identified", ""});
@@ -48,7 +49,8 @@ class ImuFeeder {
                      "the samples are taken as evenly spaced between gaps of a second",
                      "let the driver stamp the samples, or give the rate with --columns (- for the times) and --rate"});
     }
-    return analyzer_->finish(span_s_ > 0.0 ? static_cast<double>(steps_) / span_s_ : 1.0);
+    const double measured = span_s_ > 0.0 ? static_cast<double>(steps_) / span_s_ : 1.0;
+    return analyzer_->finish(known_rate_hz > 0.0 ? known_rate_hz : measured);
   }
 
  private:
@@ -129,7 +131,7 @@ AllanResult analyze_imu(const std::string& path, const ReadOptions& read, const 
   const ImuStreamResult file = stream_imu(
       path, read, [&](std::span<const Time> time, std::span<const ImuSample> samples) { feeder.push(time, samples); });
   session.add_input("imu", file.counts, file.diagnostics);
-  return feeder.finish(session);
+  return feeder.finish(session, read.rate_hz);
 }
 
 AllanResult analyze_series(const std::string& path, const ReadOptions& read, bool phase, double rate_hz,
