@@ -126,6 +126,19 @@ void OutputFile::write_raw(std::string_view bytes) {
   }
 }
 
+void OutputFile::patch(std::uint64_t offset, std::string_view bytes) {
+  require(compressor_ == nullptr, "an output file that is not compressed");
+  flush(false);
+  require(offset <= written_ && bytes.size() <= written_ - offset, "bytes that were written before");
+  while (!bytes.empty()) {
+    const ssize_t done = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) fail(done < 0 ? errno_text() : "nothing could be written");
+    offset += static_cast<std::uint64_t>(done);
+    bytes.remove_prefix(static_cast<std::size_t>(done));
+  }
+}
+
 void OutputFile::publish() {
   require(fd_ >= 0, "an output file that is not published yet");
   flush(true);

@@ -28,6 +28,8 @@ class OutputFile {
   OutputFile& operator=(OutputFile&&) = delete;
 
   void write(std::string_view bytes);
+  /// Replaces bytes that were written before, such as a header with counts. Not for compressed files.
+  void patch(std::uint64_t offset, std::string_view bytes);
   /// Flushes to the disk, checks the size and gives the file its final name and mode (0666 less the umask).
   void publish();
   const std::string& path() const { return path_; }

@@ -46,6 +46,18 @@ TEST(OutputFile, PublishesWholeFilesUnderTheUmask) {
   EXPECT_EQ(info.st_mode & 0777, 0666 & ~mask);
 }
 
+TEST(OutputFile, PatchesWhatWasWritten) {
+  const ScratchFolder folder;
+  OutputFile file(folder.path("x"));
+  file.write("0123456789");
+  file.patch(2, "ab");
+  EXPECT_THROW(file.patch(9, "ab"), Error);
+  file.write("z");
+  file.publish();
+  EXPECT_EQ(file_bytes(folder.path("x")), "01ab456789z");
+  EXPECT_THROW(OutputFile(folder.path("x.gz")).patch(0, ""), Error);
+}
+
 TEST(OutputFile, VanishesUnlessPublished) {
   const ScratchFolder folder;
   {

@@ -1,0 +1,32 @@
+#include "vispline/bags/open_bag.h"
+
+#include "vispline/bags/mcap_reader.h"
+#include "vispline/bags/rosbag_reader.h"
+
+namespace vispline {
+
+bool is_bag(const std::string& path) {
+  try {
+    const Input input = Input::open(path);
+    return is_rosbag(input) || is_mcap(input);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::unique_ptr<BagReader> open_bag(const std::string& path, const BagOptions& options) {
+  return open_bag(Input::open(path), options);
+}
+
+std::unique_ptr<BagReader> open_bag(Input input, const BagOptions& options) {
+  if (is_rosbag(input)) return open_rosbag(std::move(input), options);
+  if (is_mcap(input)) return open_mcap(std::move(input), options);
+  throw Error(ExitCode::kInput, {.code = input.size() == 0 ? "E-EMPTY" : "E-FORMAT",
+                                 .message = vispline::quoted(input.name()) +
+                                            (input.size() == 0 ? " holds no bytes" : " is no recording of messages"),
+                                 .where = input.name(),
+                                 .effect = "nothing read",
+                                 .next = "name a rosbag or an MCAP file"});
+}
+
+}  // namespace vispline
