@@ -34,7 +34,7 @@ struct AllanOptions {
 };
 
 /// Readings an axis up to which kAuto holds them all.
-inline constexpr std::int64_t kExactSamples = 6'000'000;
+inline constexpr std::int64_t kExactSamples = 4'000'000;
 inline constexpr std::int64_t kFewestSamples = 128;
 
 /// Push the readings block by block, cut() at gaps, then finish() once. The same bytes for any number of threads and

@@ -9,8 +9,10 @@ namespace vispline {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Lags that a covariance is sampled at; a longer sum is taken as the integral it approximates.
-constexpr double kMaxLags = 600.0;
+/// A sum over more lags than this is taken as the integral it approximates, as Greenhall and Riley do.
+constexpr double kMaxLags = 100.0;
+/// Lags that the integral is sampled at.
+constexpr double kIntegralLags = 600.0;
 
 double log_or_zero(double x) { return x > 0.0 ? std::log(x) : 0.0; }
 
@@ -94,13 +96,13 @@ struct Lags {
   double J;  ///< lags that matter
 };
 
-/// Shrinks a long sum to kMaxLags lags of the same reach.
+/// A long sum as one over kIntegralLags lags of the same reach.
 Lags limited(double M, double S, int d) {
   const double r = M / S;
   const double reach = std::min(r, d + 1.0);
   if (reach * S <= kMaxLags) return {M, S, std::min(M, (d + 1.0) * S)};
-  const double coarse = kMaxLags / reach;
-  return {r * coarse, coarse, kMaxLags};
+  const double density = kIntegralLags / reach;
+  return {r * density, density, kIntegralLags};
 }
 
 /// The averaging width of the phase in the sum: a width below the lags' own spacing does not show, except that the
