@@ -15,7 +15,7 @@ class Db3Reader final : public BagReader {
   Db3Reader(SqliteFile file, std::uint64_t bytes, const BagOptions& options)
       : BagReader(options), file_(std::move(file)), bytes_(bytes) {
     for (const char* table : {"topics", "messages"}) {
-      if (!file_.has_table(table)) fail_database(file_.name(), std::string("it has no table ") + table);
+      if (!file_.has_table(table)) fail_database(file_.name(), std::string("it has no plain table ") + table);
     }
     if (file_.copied()) {
       warn("W-DATABASE", "rows stand in a -wal file beside the database", file_.name(), "read from a private copy");

@@ -53,7 +53,8 @@ class SqliteFile {
   SqliteFile& operator=(const SqliteFile&) = delete;
   SqliteFile& operator=(SqliteFile&&) = delete;
 
-  /// Whether an ordinary table, not a view or a virtual table, has that name.
+  /// Whether an ordinary table, not a view or a virtual table, has that name and no generated columns. `table` is a
+  /// plain word.
   bool has_table(const std::string& table) const;
   /// "SELECT ..."; anything but reading the tables topics and messages is refused.
   SqliteRows rows(const std::string& select) const { return {database_, steps_.get(), name_, select}; }
