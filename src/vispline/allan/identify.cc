@@ -205,6 +205,18 @@ std::optional<double> record_needed(double rate_hz, double duration_s, const Ter
   return longer;
 }
 
+/// The terms with `term` in the place of those that look like it in a short record; empty if there are none.
+std::optional<TermMask> without_look_alikes(TermMask mask, std::size_t term) {
+  bool any = false;
+  for (const Term other : {Term::kFlicker, Term::kRandomWalk, Term::kRamp}) {
+    const auto i = static_cast<std::size_t>(other);
+    any = any || (mask[i] && i != term);
+    mask[i] = i == term;
+  }
+  const bool is_one = term >= static_cast<std::size_t>(Term::kFlicker) && term < kRamp;
+  return any && is_one ? std::optional(mask) : std::nullopt;
+}
+
 TermEstimate bounded_term(const SpectralFit& fit, const TermMask& mask, std::size_t term, const FittedModel& best,
                           double rate_hz, double duration_s) {
   TermEstimate estimate;
@@ -215,7 +227,12 @@ TermEstimate bounded_term(const SpectralFit& fit, const TermMask& mask, std::siz
   const FittedModel& top = with.log_likelihood > best.log_likelihood ? with : best;
   const double start = std::max(tiny_coefficient(fit, term, best.model), coefficient(top.model, term));
   if (start <= 0.0) return estimate;
-  const double bound = profile_edge(profile(fit, mask, term, top), start, 1.5, kOneSided95);
+  double bound = profile_edge(profile(fit, mask, term, top), start, 1.5, kOneSided95);
+  if (const auto alone = without_look_alikes(mask, term)) {
+    const FittedModel other = fit.maximise(*alone);
+    const double from = std::max(start, coefficient(other.model, term));
+    bound = std::max(bound, profile_edge(profile(fit, *alone, term, other), from, 1.5, kOneSided95));
+  }
   estimate.upper_bound = bound;
   estimate.record_needed_s = record_needed(rate_hz, duration_s, mask, term, best.model, bound);
   return estimate;

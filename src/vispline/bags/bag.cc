@@ -80,6 +80,18 @@ bool BagReader::report_progress(std::uint64_t done, std::uint64_t total) {
   return options_.progress(done, total);
 }
 
+void BagReader::absorb(const BagReader& part, bool opening) {
+  diagnostics_.merge(part.diagnostics());
+  if (opening) return;
+  for (const auto& [code, count] : part.counts().dropped) {
+    counts_.dropped[code] += count;
+    counts_.read += count;
+  }
+  const std::size_t room = kMaxLostSpans - std::min(kMaxLostSpans, lost_.size());
+  const auto end = part.lost().begin() + static_cast<std::ptrdiff_t>(std::min(room, part.lost().size()));
+  lost_.insert(lost_.end(), part.lost().begin(), end);
+}
+
 void BagReader::keep_warnings_of_opening() {
   opening_ = diagnostics_;
   lost_at_opening_ = lost_;

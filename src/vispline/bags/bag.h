@@ -92,6 +92,8 @@ class BagReader {
   void warn(const std::string& code, const std::string& message, const std::string& where, const std::string& effect);
   /// False: stop.
   bool report_progress(std::uint64_t done, std::uint64_t total);
+  /// Takes warnings, drops and losses of one file of many over, after its read() or, if `opening`, after it was opened.
+  void absorb(const BagReader& part, bool opening);
   /// What was warned of until now belongs to the file, not to one run of read().
   void keep_warnings_of_opening();
 

@@ -9,12 +9,13 @@
 
 namespace vispline {
 
-/// A rosbag of any version; never throws.
+/// A rosbag of any version, an MCAP file, a SQLite database, or a folder with a metadata.yaml or such files; never
+/// throws.
 bool is_bag(const std::string& path);
 
-/// Throws E-OPEN, E-FORMAT, E-UNSUPPORTED, E-CORRUPT, E-LIMIT.
+/// Throws E-OPEN, E-EMPTY, E-FORMAT, E-UNSUPPORTED, E-CORRUPT, E-DATABASE, E-PATH, E-LIMIT.
 std::unique_ptr<BagReader> open_bag(const std::string& path, const BagOptions& options = {});
-/// One file of a recording that is at hand already.
+/// A rosbag or MCAP file that is open already.
 std::unique_ptr<BagReader> open_bag(Input input, const BagOptions& options = {});
 
 }  // namespace vispline

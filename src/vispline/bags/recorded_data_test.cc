@@ -60,6 +60,20 @@ TEST_F(RecordedBags, Mcap) {
   }
 }
 
+TEST_F(RecordedBags, Rosbag2) {
+  const BagOutcome razor = outcome_of_file(data("sparkfun_razor_db3"));
+  EXPECT_EQ(razor.codes, "") << razor.text;
+  EXPECT_GT(messages_of(razor, "/imu/data_raw"), 2000);
+  const BagOutcome test = outcome_of_file(data("plotjuggler_rosbag2_test"));
+  EXPECT_EQ(test.codes, "") << test.text;
+  EXPECT_EQ(messages_of(test, "/imu"), 1565);
+  EXPECT_EQ(test.messages.size(), 4695u);
+  const BagOutcome walk = outcome_of_file(data("isas_walk1_mcap"));
+  EXPECT_EQ(walk.codes, "") << walk.text;
+  EXPECT_EQ(walk.messages.size(), 8007u);
+  EXPECT_EQ(outcome_of_file(data("ros2_talker_mcap")).messages.size(), 20u);
+}
+
 /// Mean norm of the specific force of the messages of one topic; every one must decode.
 double mean_force(const std::string& path, const std::string& name) {
   const auto reader = open_bag(path);
