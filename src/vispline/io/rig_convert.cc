@@ -126,6 +126,8 @@ Camera camera_of(const CameraCalibration& calibration) {
   std::ranges::copy(calibration.distortion, camera.lens.params.data() + intrinsics);
   camera.time_offset_s = calibration.timeshift_cam_imu.value_or(0.0);
   camera.shutter.line_delay_s = calibration.line_delay.value_or(0.0);
+  const double readout_s = camera.shutter.line_delay_s * camera.resolution_px[1];
+  if (readout_s * camera.rate_hz >= 1.0) camera.rate_hz = 0.5 / readout_s;
   return camera;
 }
 

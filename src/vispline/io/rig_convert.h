@@ -12,7 +12,8 @@
 namespace vispline {
 
 /// The camera without its place in the body, which needs the rest of the rig. Precondition: model, distortion and
-/// numbers are possible (rig_checks.h). Throws E-CONFIG for a pair of model and distortion that no lens of ours has.
+/// numbers are possible (rig_checks.h). The rate, which such files do not hold, stays, or is what leaves time to read
+/// the image. Throws E-CONFIG for a pair of model and distortion that no lens of ours has.
 Camera camera_of(const CameraCalibration& camera);
 
 /// What a noise file says; a walk without a value is its upper bound, else 0.

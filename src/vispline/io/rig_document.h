@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "vispline/sensors/clock.h"
 #include "vispline/sensors/rig.h"
 
 namespace vispline {
@@ -24,6 +25,7 @@ struct RigDocument {
   Rig rig{};
   Vector3d g_w{0.0, 0.0, -9.81};  ///< m/s^2, points down
   ParameterChoices estimate{};
+  ClockModels clocks{};  ///< of a simulation: when the sensors start, and how their clocks drift
 };
 
 }  // namespace vispline

@@ -42,6 +42,7 @@ void take_own(const YamlFile& file, ReadRig& result) {
   result.formats.emplace_back(rig_yaml::kName);
   result.g_w = document.g_w;
   result.estimate.merge(document.estimate);
+  result.clocks.merge(document.clocks);
   append(result.rig, document.rig);
 }
 

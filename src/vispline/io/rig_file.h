@@ -15,6 +15,7 @@ struct ReadRig {
   Rig rig{};
   Vector3d g_w{0.0, 0.0, -9.81};       ///< m/s^2, points down; of our own files, else this
   ParameterChoices estimate{};         ///< of our own files only
+  ClockModels clocks{};                ///< of our own files only
   std::vector<std::string> formats{};  ///< of each file: "vispline", or one of rig_dialects()
   Diagnostics diagnostics{};
 };

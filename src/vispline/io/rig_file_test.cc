@@ -59,6 +59,7 @@ RigDocument random_document(std::uint64_t seed) {
   document.estimate = {{"gravity", {ParameterChoice::Kind::kFixed}},
                        {"cam0.intrinsics", {ParameterChoice::Kind::kFree}},
                        {"imu0.T_b_i", {ParameterChoice::Kind::kPrior, 0.01}}};
+  document.clocks = {{"left imu", {.phase_s = 0.0021, .drift = -3e-5}}, {"cam3", {.phase_s = 0.01}}};
   return document;
 }
 
@@ -108,6 +109,9 @@ TEST(RigFile, OurOwnReadsBackToTheSame) {
   EXPECT_EQ(read.formats, std::vector<std::string>{"vispline"});
   EXPECT_EQ(read.g_w, document.g_w);
   EXPECT_EQ(read.estimate, document.estimate);
+  ASSERT_EQ(read.clocks.size(), 2U);
+  EXPECT_EQ(read.clocks.at("left imu").drift, -3e-5);
+  EXPECT_EQ(read.clocks.at("cam3").phase_s, 0.01);
   ASSERT_EQ(read.rig.imus.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     const Imu &a = read.rig.imus[i], &b = document.rig.imus[i];

@@ -57,12 +57,16 @@ void read_triad(ConfigMap& imu, typename Model::template Params<double>& params,
   map.warn_unknown();
 }
 
-Imu read_imu(ConfigMap map, const std::string& name) {
+void read_clock(ConfigMap& map, const std::string& name, ClockModels& clocks) {
+  if (!map.has("phase") && !map.has("clock_drift")) return;
+  clocks[name] = {not_negative(map, "phase", "s", 0.0), map.number_if("clock_drift", "s/s").value_or(0.0)};
+}
+
+Imu read_imu(ConfigMap& map, const std::string& name) {
   Imu imu{.name = name};
   imu.rate_hz = map.positive("rate_hz", "Hz");
   read_triad<Gyroscope>(map, imu.gyroscope, imu.noise.gyro);
   read_triad<Accelerometer>(map, imu.accelerometer, imu.noise.accel);
-  map.warn_unknown();
   return imu;
 }
 
@@ -75,7 +79,7 @@ ReadoutDirection read_direction(ConfigMap& map) {
   return static_cast<ReadoutDirection>(found - kDirections.begin());
 }
 
-Camera read_camera(ConfigMap map, const std::string& name) {
+Camera read_camera(ConfigMap& map, const std::string& name) {
   const CameraCalibration calibration = kalibr_rig::read_camera(map, name);
   map.accept_all({"camera_model", "intrinsics", "distortion_model", "distortion_coeffs", "resolution", "T_cam_imu",
                   "timeshift_cam_imu", "line_delay", "cam_overlaps", "rostopic"});
@@ -85,7 +89,6 @@ Camera read_camera(ConfigMap map, const std::string& name) {
   camera.shutter.direction = read_direction(map);
   camera.shutter.exposure_s = not_negative(map, "exposure", "s", camera.shutter.exposure_s);
   camera.pixel_sigma_px = not_negative(map, "pixel_sigma", "px", camera.pixel_sigma_px);
-  map.warn_unknown();
   return camera;
 }
 
@@ -121,7 +124,11 @@ template <class Read>
 void read_section(ConfigMap& root, const char* section, const Read& read) {
   if (!root.has(section)) return;
   ConfigMap map = root.map(section);
-  for (const YamlKey& key : map.node().keys) read(map.map(key.text), key.text);
+  for (const YamlKey& key : map.node().keys) {
+    ConfigMap sensor = map.map(key.text);
+    read(sensor, key.text);
+    sensor.warn_unknown();
+  }
 }
 
 template <Sensor Model>
@@ -131,6 +138,13 @@ std::string triad_text(const typename Model::template Params<double>& params, co
     text += value_line("      ", row.key, yaml_float(noise.*row.member), unit_of<Model>() + row.unit);
   }
   return text + block_lines<Model>("      ", params);
+}
+
+std::string clock_text(const ClockModels& clocks, const std::string& name) {
+  const auto found = clocks.find(name);
+  if (found == clocks.end()) return "";
+  return value_line("    ", "phase", yaml_float(found->second.phase_s), "s, from the start to the first sample") +
+         value_line("    ", "clock_drift", yaml_float(found->second.drift), "s/s");
 }
 
 std::string imu_text(const Imu& imu) {
@@ -174,10 +188,14 @@ RigDocument read(const YamlFile& file, Diagnostics& diagnostics) {
   ConfigMap root(file, file.root, "", diagnostics);
   root.integer(kVersionKey, "", kVersion, kVersion);
   if (root.has("gravity")) read_block(root, "gravity", "m/s^2", document.g_w);
-  read_section(root, "imus",
-               [&](ConfigMap map, const std::string& name) { document.rig.imus.push_back(read_imu(map, name)); });
-  read_section(root, "cameras",
-               [&](ConfigMap map, const std::string& name) { document.rig.cameras.push_back(read_camera(map, name)); });
+  read_section(root, "imus", [&](ConfigMap& map, const std::string& name) {
+    document.rig.imus.push_back(read_imu(map, name));
+    read_clock(map, name, document.clocks);
+  });
+  read_section(root, "cameras", [&](ConfigMap& map, const std::string& name) {
+    document.rig.cameras.push_back(read_camera(map, name));
+    read_clock(map, name, document.clocks);
+  });
   if (root.has("estimate")) document.estimate = read_choices(root.map("estimate"), document.rig);
   root.warn_unknown();
   return document;
@@ -187,9 +205,11 @@ std::string text(const RigDocument& document) {
   std::string text = std::string(kVersionKey) + ": " + std::to_string(kVersion) + "\n";
   text += value_line("", "gravity", list({document.g_w.data(), document.g_w.data() + 3}), "m/s^2, world, points down");
   if (!document.rig.imus.empty()) text += "imus:\n";
-  for (const Imu& imu : document.rig.imus) text += imu_text(imu);
+  for (const Imu& imu : document.rig.imus) text += imu_text(imu) + clock_text(document.clocks, imu.name);
   if (!document.rig.cameras.empty()) text += "cameras:\n";
-  for (const Camera& camera : document.rig.cameras) text += camera_text(camera);
+  for (const Camera& camera : document.rig.cameras) {
+    text += camera_text(camera) + clock_text(document.clocks, camera.name);
+  }
   if (!document.estimate.empty()) text += "estimate:\n";
   for (const auto& [name, choice] : document.estimate) text += "  " + name + ": " + choice_text(choice) + "\n";
   return text;
