@@ -24,15 +24,17 @@ class ShutterView {
   /// The pixel at which the landmark is when the line of that pixel is exposed, if it is in the image and nothing hides
   /// it then. Precondition: is_covered().
   ShutterSight see(const Scene& scene, const SceneLandmark& landmark) const;
-  /// State of the body when the line of a pixel with that delay (Camera::delay_s) is exposed.
-  std::optional<BodyState> body_at(double delay_s) const {
-    return state_after(trajectory_, instant_.stamp, instant_.clock_delay_s + delay_s);
-  }
 
  private:
+  /// State of the body when the line of a pixel with that delay (Camera::delay_s) is exposed.
+  BodyState body_at(double delay_s) const {
+    return state_after(trajectory_, instant_.stamp, instant_.clock_delay_s + delay_s).value();
+  }
+
   const Trajectory& trajectory_;
   const Camera& camera_;
   const FrameInstant& instant_;
+  double first_s_, last_s_;  ///< delays of the lines before the first and behind the last
 };
 
 }  // namespace vispline
