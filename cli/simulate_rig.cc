@@ -3,6 +3,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "course_output.h"
 #include "rig_output.h"
 #include "vispline/core/parallel.h"
 #include "vispline/io/rig_file.h"
@@ -65,19 +66,26 @@ Simulation load(const RigTask& task, Session& session) {
 
 std::size_t threads_of(const RigTask& task) { return task.threads == 0 ? hardware_threads() : task.threads; }
 
+Stamps imu_stamps(const Simulation& all, const Imu& imu) {
+  const Duration phase = from_seconds(clock_of(all.document.clocks, imu.name).phase_s);
+  require(phase < all.duration, "a duration longer than the phases of the sensors");
+  return Stamps({all.start + phase, imu.rate_hz}, all.duration - phase);
+}
+
+ImuSimulation imu_simulation(const RigTask& task, const Simulation& all, const Imu& imu) {
+  return {.imu = imu,
+          .g_w = all.document.g_w,
+          .seed = task.seed,
+          .threads = threads_of(task),
+          .outside = OutsideSpan::kSkip,
+          .clock_drift = clock_of(all.document.clocks, imu.name).drift,
+          .clock_start = all.start};
+}
+
 void write_imu(const RigTask& task, const Simulation& all, std::size_t index, OutputOptions options, Counts& counts) {
   const Imu& imu = all.document.rig.imus[index];
-  const ClockModel clock = clock_of(all.document.clocks, imu.name);
-  const Duration phase = from_seconds(clock.phase_s);
-  require(phase < all.duration, "a duration longer than the phases of the sensors");
-  const Stamps stamps({all.start + phase, imu.rate_hz}, all.duration - phase);
-  const ImuSimulation simulation{.imu = imu,
-                                 .g_w = all.document.g_w,
-                                 .seed = task.seed,
-                                 .threads = threads_of(task),
-                                 .outside = OutsideSpan::kSkip,
-                                 .clock_drift = clock.drift,
-                                 .clock_start = all.start};
+  const Stamps stamps = imu_stamps(all, imu);
+  const ImuSimulation simulation = imu_simulation(task, all, imu);
   const OutputGuard guard;
   ImuOutput output(task.out, imu, index == 0, options);
   Progress progress(imu.name, stamps.size());
@@ -108,6 +116,39 @@ void write_cameras(const RigTask& task, const Simulation& all, OutputOptions opt
                                         progress.add(1);
                                       });
   for (CameraOutput& output : outputs) output.publish();
+}
+
+std::string camera_notes(const Camera& camera) {
+  std::string text = "Camera: T_b_c, row by row:";
+  const Pose T_b_c = camera.T_c_b.inverse();
+  for (int row = 0; row < 3; ++row) {
+    text += " [" + number_text(T_b_c.R(row, 0), 9) + " " + number_text(T_b_c.R(row, 1), 9) + " " +
+            number_text(T_b_c.R(row, 2), 9) + " " + number_text(T_b_c.p[row], 9) + "]";
+  }
+  return text + ".\nNothing is cut at the image border. Lens and noise: rig.yaml.\n";
+}
+
+/// The first IMU and the first camera of the rig in the course's files.
+void write_course_of(const RigTask& task, const Simulation& all, OutputOptions options) {
+  const Rig& rig = all.document.rig;
+  require(!rig.imus.empty() && !rig.cameras.empty(), "an IMU and a camera for the course's files");
+  const Camera& camera = rig.cameras[0];
+  require(camera.shutter.line_delay_s == 0.0, "a global shutter for the course's files");
+  const Stamps stamps = imu_stamps(all, rig.imus[0]);
+  CourseTask course{.trajectory = all.source.trajectory,
+                    .imu = imu_simulation(task, all, rig.imus[0]),
+                    .stamps = stamps,
+                    .T_b_c = camera.T_c_b.inverse(),
+                    .folder = task.out + "/course",
+                    .points_w = {},
+                    .camera_notes = camera_notes(camera)};
+  if (task.flags.scene != "house") course.segments_w.clear();
+  for (const SceneLandmark& landmark : all.scene.scene.landmarks) course.points_w.push_back(landmark.point_w);
+  CameraFrames frames({camera}, all.document.clocks, all.start, all.duration);
+  while (const auto frame = frames.next()) {
+    course.images.push_back(frame->stamp + from_seconds(frame->clock_delay_s + camera.time_offset_s));
+  }
+  write_course(course, options);
 }
 
 void warn(Session& session, std::size_t count, const char* code, const std::string& what, const std::string& effect) {
@@ -151,6 +192,7 @@ void simulate_rig(const RigTask& task, Session& session) {
   Counts counts;
   for (std::size_t i = 0; i < all.document.rig.imus.size(); ++i) write_imu(task, all, i, options, counts);
   write_cameras(task, all, options, counts);
+  if (task.flags.wants("course")) write_course_of(task, all, options);
   const OutputGuard guard;
   for (const std::string& note : write_rig_files(task.out, all.document, all.scene, options)) {
     session.add({.code = "W-KALIBR", .message = note, .where = task.out + "/kalibr", .effect = "", .next = ""});

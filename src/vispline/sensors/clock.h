@@ -1,4 +1,4 @@
-/// The clock of a sensor against that of the body. docs/math/camera.md, Clocks.
+/// The clock of a sensor against that of the body. docs/math/features.md, Clocks.
 #pragma once
 
 #include <map>

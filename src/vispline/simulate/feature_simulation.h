@@ -1,5 +1,5 @@
 /// Trajectory + cameras + scene -> features: exact projections first, then what a front end makes of them.
-/// docs/math/camera.md, Simulated features.
+/// docs/math/features.md.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// Which of the visible landmarks a front end follows, and under which id. docs/math/camera.md, Tracks.
+/// Which of the visible landmarks a front end follows, and under which id. docs/math/features.md, Tracks.
 #pragma once
 
 #include <cstdint>
