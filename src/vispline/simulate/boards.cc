@@ -1,17 +1,22 @@
 #include "vispline/simulate/boards.h"
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "vispline/core/error.h"
+#include "vispline/simulate/board_textures.h"
+#include "vispline/simulate/tag36h11.h"
 
 namespace vispline {
 namespace {
 
-constexpr int kTags = 587;  // of the family tag36h11
-
 /// A sheet with its lower left corner at `corner_t`.
-Surface sheet(const Pose& T_w_t, const Vector2d& corner_t, const Vector2d& size_m) {
-  return {.T_w_s = T_w_t * Pose{Matrix3d::Identity(), {corner_t.x(), corner_t.y(), 0.0}}, .size_m = size_m};
+Surface sheet(const Pose& T_w_t, const Vector2d& corner_t, const Vector2d& size_m, Texture print) {
+  return {.T_w_s = T_w_t * Pose{Matrix3d::Identity(), {corner_t.x(), corner_t.y(), 0.0}},
+          .size_m = size_m,
+          .texture = std::make_shared<const Texture>(std::move(print))};
 }
 
 void add_point(Scene& scene, const Pose& T_w_t, double x, double y) {
@@ -22,9 +27,9 @@ void add_point(Scene& scene, const Pose& T_w_t, double x, double y) {
 }  // namespace
 
 Scene aprilgrid_scene(const AprilGrid& board, const Pose& T_w_t) {
-  require(board.cols > 0 && board.rows > 0 && board.cols <= kTags && board.rows <= kTags &&
-              board.cols * board.rows <= kTags,
-          "an AprilGrid of 1 to 587 tags");
+  const int tags = tag36h11_count();
+  require(board.cols > 0 && board.rows > 0 && board.cols <= tags && board.rows <= tags / board.cols,
+          "an AprilGrid of 1 to " + std::to_string(tags) + " tags");
   require(board.tag_size_m > 0.0 && board.tag_spacing > 0.0, "an AprilGrid whose tags and gaps have a size");
   const double size = board.tag_size_m, gap = size * board.tag_spacing, pitch = size + gap;
   Scene scene;
@@ -38,8 +43,9 @@ Scene aprilgrid_scene(const AprilGrid& board, const Pose& T_w_t) {
     }
   }
   const Vector2d margin = Vector2d::Constant(2.0 * gap);
-  scene.surfaces.push_back(
-      sheet(T_w_t, -margin, Vector2d(board.cols * pitch - gap, board.rows * pitch - gap) + 2.0 * margin));
+  scene.surfaces.push_back(sheet(T_w_t, -margin,
+                                 Vector2d(board.cols * pitch - gap, board.rows * pitch - gap) + 2.0 * margin,
+                                 aprilgrid_texture(board)));
   return scene;
 }
 
@@ -51,7 +57,8 @@ Scene checkerboard_scene(const Checkerboard& board, const Pose& T_w_t) {
     for (int c = 0; c < board.cols; ++c) add_point(scene, T_w_t, c * board.col_spacing_m, r * board.row_spacing_m);
   }
   const Vector2d square(board.col_spacing_m, board.row_spacing_m);
-  scene.surfaces.push_back(sheet(T_w_t, -2.0 * square, square.cwiseProduct(Vector2d(board.cols + 3, board.rows + 3))));
+  scene.surfaces.push_back(sheet(T_w_t, -2.0 * square, square.cwiseProduct(Vector2d(board.cols + 3, board.rows + 3)),
+                                 checkerboard_texture(board)));
   return scene;
 }
 
@@ -69,7 +76,8 @@ Scene circle_grid_scene(const CircleGrid& board, const Pose& T_w_t) {
     }
   }
   const Vector2d margin = Vector2d::Constant(board.spacing_m);
-  scene.surfaces.push_back(sheet(T_w_t, -margin, Vector2d(right, (board.rows - 1) * board.spacing_m) + 2.0 * margin));
+  scene.surfaces.push_back(sheet(T_w_t, -margin, Vector2d(right, (board.rows - 1) * board.spacing_m) + 2.0 * margin,
+                                 circle_grid_texture(board)));
   return scene;
 }
 

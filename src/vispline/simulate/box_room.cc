@@ -1,7 +1,11 @@
 #include "vispline/simulate/box_room.h"
 
+#include <memory>
+#include <string>
+
 #include "vispline/core/error.h"
 #include "vispline/core/random.h"
+#include "vispline/simulate/wall_texture.h"
 
 namespace vispline {
 namespace {
@@ -37,10 +41,16 @@ const Surface& pick(const std::vector<Surface>& walls, double part) {
 
 Scene box_room(const BoxRoom& room) {
   require((room.upper_w - room.lower_w).minCoeff() > 0.0, "a room whose upper corner is above its lower one");
+  require(room.cell_m >= 0.0, "a size of cells from 0");
   Scene scene;
   for (const Vector3d axis_w : {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()}) {
     scene.surfaces.push_back(wall(axis_w, room));
     scene.surfaces.push_back(wall(-axis_w, room));
+  }
+  for (std::size_t i = 0; room.cell_m > 0.0 && i < scene.surfaces.size(); ++i) {
+    Surface& surface = scene.surfaces[i];
+    surface.texture = std::make_shared<const Texture>(
+        wall_texture(surface.size_m, room.cell_m, room.seed, "scene/room/wall" + std::to_string(i)));
   }
   const RandomStream stream(room.seed, "scene/room");
   for (std::size_t i = 0; i < room.landmarks; ++i) {

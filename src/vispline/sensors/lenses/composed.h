@@ -36,24 +36,27 @@ struct Composed {
     return px;
   }
 
+  /// One variable is returned throughout, so that it is made in the caller's place.
   static std::optional<LensProjection> linearize(const double* params, const Vector3d& point_c) {
+    std::optional<LensProjection> result;
     const auto m = P::linearize(params, point_c);
-    if (!m) return std::nullopt;
+    if (!m) return result;
     const auto d = D::linearize(params + kDistortion, m->m);
-    if (!d) return std::nullopt;
+    if (!d) return result;
     const double* f = params + kFocal;
     const Vector2d focal(f[0], f[1]);
-    std::optional<LensProjection> result(std::in_place);
-    result->px = focal.cwiseProduct(d->m) + Vector2d(f[2], f[3]);
-    if (!result->px.allFinite()) return std::nullopt;
+    const Vector2d px = focal.cwiseProduct(d->m) + Vector2d(f[2], f[3]);
+    if (!px.allFinite()) return result;
+    result.emplace();
+    result->px = px;
     const Matrix2d d_plane = focal.asDiagonal() * d->d_input;
-    result->d_point.noalias() = d_plane * m->d_input;
+    result->d_point.noalias() = d_plane.lazyProduct(m->d_input);
     result->d_params.resize(2, kNumParams);
     Eigen::Map<Eigen::Matrix<double, 2, kNumParams>> d_params(result->d_params.data());
-    if constexpr (kFocal > 0) d_params.template leftCols<kFocal>().noalias() = d_plane * m->d_params;
+    if constexpr (kFocal > 0) d_params.template leftCols<kFocal>() = d_plane.lazyProduct(m->d_params);
     d_params.template middleCols<4>(kFocal) << d->m.x(), 0.0, 1.0, 0.0, 0.0, d->m.y(), 0.0, 1.0;
-    if constexpr (kStageParams < D >> 0) {
-      d_params.template rightCols<kStageParams<D>>().noalias() = focal.asDiagonal() * d->d_params;
+    if constexpr (kStageParams<D> > 0) {
+      d_params.template rightCols<kStageParams<D>>() = focal.asDiagonal() * d->d_params;
     }
     return result;
   }
