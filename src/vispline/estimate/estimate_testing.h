@@ -70,4 +70,14 @@ inline std::vector<Parameter> all_free(const State& state) {
   return parameters;
 }
 
+/// Step of a central difference: as far as a pixel moves by little.
+inline double step_of(const std::vector<Parameter>& parameters, int column) {
+  for (const Parameter& parameter : parameters) {
+    if (column < parameter.column || column >= parameter.column + parameter.size) continue;
+    if (parameter.name.ends_with("line_delay")) return 1e-9;
+    if (parameter.name.ends_with("time_offset")) return 1e-7;
+  }
+  return 1e-6;
+}
+
 }  // namespace vispline::testing

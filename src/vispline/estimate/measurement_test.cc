@@ -39,7 +39,7 @@ Worst worst_column(const Measurement& measurement, const State& state, std::vect
     J.col(rows.column[c]) += rows.J.col(static_cast<Eigen::Index>(c));
   Worst worst;
   for (int column = 0; column < columns.layout.columns; ++column) {
-    const double step = 1e-6;
+    const double step = testing::step_of(parameters, column);
     const auto moved_by = [&](double h) {
       const Eigen::VectorXd delta = h * Eigen::VectorXd::Unit(columns.layout.columns, column);
       return residual_at(measurement, moved(state, columns, parameters, delta, no_tracks, {}), columns);

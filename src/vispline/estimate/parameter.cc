@@ -181,13 +181,9 @@ std::vector<Parameter*> find_parameters(std::vector<Parameter>& parameters, cons
 }
 
 ParameterColumns columns_of(const State& state, const std::vector<Parameter>& parameters) {
-  std::map<std::string, int> column;
-  for (const Parameter& parameter : parameters) column[parameter.name] = parameter.column;
-  const auto of = [&](const std::string& name) {
-    const auto found = column.find(name);
-    return found == column.end() ? -1 : found->second;
-  };
   ParameterColumns columns;
+  for (const Parameter& parameter : parameters) columns.by_name[parameter.name] = parameter.column;
+  const auto of = [&](const std::string& name) { return columns.by_name.at(name); };
   columns.gravity = {of("gravity.direction"), of("gravity.magnitude")};
   for (const Imu& imu : state.rig.imus) {
     const std::string g = imu.name + ".gyroscope.", a = imu.name + ".accelerometer.";

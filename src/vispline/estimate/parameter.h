@@ -55,6 +55,7 @@ struct GravityColumns {
   int direction = -1, magnitude = -1;
 };
 struct ParameterColumns {
+  std::map<std::string, int> by_name{};
   GravityColumns gravity{};
   std::vector<ImuColumns> imus{};
   std::vector<CameraColumns> cameras{};

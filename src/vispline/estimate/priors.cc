@@ -15,12 +15,12 @@ class PriorRows final : public Measurement {
   std::vector<std::string> sensors() const override { return {"prior." + parameter_.name}; }
   Time time() const override { return {}; }
 
-  void evaluate(const State& state, const Columns& /*columns*/, bool derivatives, Rows& rows) const override {
+  void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
     rows.start(parameter_.size);
     rows.r = parameter_.delta(start_, state) / parameter_.treatment.sigma;
     square(rows);
     if (!derivatives) return;
-    rows.append(parameter_.column, parameter_.size);
+    rows.append(columns.parameters.by_name.at(parameter_.name), parameter_.size);
     rows.allocate_jacobian();
     rows.J.diagonal().setConstant(1.0 / parameter_.treatment.sigma);
   }

@@ -52,6 +52,10 @@ State moved(const State& state, const Columns& columns, const std::vector<Parame
   for (std::size_t t = 0; t < problem.tracks.size(); ++t) {
     InverseDepthLandmark& landmark = next.landmarks[problem.tracks[t].landmark];
     landmark = moved(landmark, problem.track_model, delta_landmark[t]);
+    if (problem.track_model.unknowns == LandmarkUnknowns::kPoint) continue;
+    const Sighting& reference = problem.tracks[t].sightings.front();
+    const auto ray = next.rig.cameras[reference.camera].lens.unproject(reference.px);
+    if (ray) landmark.bearing_c = *ray;
   }
   return next;
 }

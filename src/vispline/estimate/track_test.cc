@@ -53,9 +53,9 @@ struct Example {
 void expect_normal_equations(const Example& e) {
   const int n = e.columns.layout.columns, size = e.problem.track_model.size();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
-  const double h = 1e-6;
   Eigen::MatrixXd J(e.residuals(zero, Vector3d::Zero()).size(), n + size);
   for (int c = 0; c < n + size; ++c) {
+    const double h = testing::step_of(e.problem.parameters, c);
     const Eigen::VectorXd d = c < n ? Eigen::VectorXd(h * Eigen::VectorXd::Unit(n, c)) : zero;
     const Vector3d l = c < n ? Vector3d(Vector3d::Zero()) : Vector3d(h * Vector3d::Unit(c - n));
     J.col(c) = (e.residuals(d, l) - e.residuals(-d, -l)) / (2.0 * h);
