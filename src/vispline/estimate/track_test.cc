@@ -80,7 +80,7 @@ void expect_normal_equations(const Example& e) {
     found.block(n, block.column[c], size, 1) += block.W.col(static_cast<Eigen::Index>(c));
   }
   found.bottomRightCorner(size, size) = block.H.topLeftCorner(size, size);
-  const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt().cwiseMax(1e-3);
+  const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt().cwiseMax(1.0);
   for (int r = 0; r < n + size; ++r) {
     for (int c = 0; c <= r; ++c) {
       EXPECT_NEAR(found(r, c) / (scale(r) * scale(c)), expected(r, c) / (scale(r) * scale(c)), 2e-6) << r << ", " << c;
