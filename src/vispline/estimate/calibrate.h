@@ -1,0 +1,47 @@
+/// Camera-IMU calibration with a known target: from corners and an IMU to the whole rig, without start values but those
+/// of the lenses. docs/math/estimate.md, Calibration.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "vispline/estimate/assemble.h"
+#include "vispline/estimate/pose_alignment.h"
+#include "vispline/estimate/solve.h"
+
+namespace vispline {
+
+struct CalibrateOptions {
+  CurveShape curve{SplineKind::kJoint, 4, from_seconds(0.02)};
+  double gravity = 9.80665;        ///< m/s^2
+  Treatments treatments{};         ///< beyond the usual ones
+  double huber_sigmas = 3.0;       ///< of corners; 0: least squares
+  std::vector<double> sigma_px{};  ///< by camera; empty: found from the residuals
+  bool trust_imu_noise = true;     ///< false: found from the residuals
+  SolveOptions solve{};
+};
+
+/// One step towards the solution, and the number that says whether it went well.
+struct Stage {
+  std::string name;     ///< "camera poses of cam0"
+  std::string measure;  ///< "rms of reprojection"
+  double value = 0.0;
+  double limit = 0.0;  ///< a value beyond it is a failure
+  std::string unit;
+  bool passed = false;
+};
+
+struct Calibration {
+  Problem problem{};  ///< the last one, with its start
+  Solution solution{};
+  std::vector<Stage> stages{};
+  Diagnostics diagnostics{};
+};
+
+/// The world is the frame of the target. `recording` must outlive the result. Throws Error(kUnfit) with the verdicts of
+/// align_poses(), E-TARGET if no camera sees enough of the target, E-OVERLAP.
+Calibration calibrate(const Rig& start, const Recording& recording, const TargetPoints& target,
+                      const CalibrateOptions& options);
+
+}  // namespace vispline
