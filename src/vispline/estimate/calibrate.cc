@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "vispline/core/parallel.h"
+#include "vispline/estimate/noise_estimation.h"
 #include "vispline/estimate/pnp.h"
 #include "vispline/results/imu_comparison.h"
 
@@ -12,8 +13,11 @@ namespace {
 
 constexpr double kMostPnp_px = 3.0;  // rms of a camera's poses with the start lens
 constexpr std::size_t kFewestFrames = 20;
-constexpr double kMargin_s = 0.03;  // of the curve beyond the readings: time offsets move them
-constexpr double kFirstSigma_px = 0.5;
+constexpr double kMargin_s = 0.03;         // of the curve beyond the readings: time offsets move them
+constexpr std::size_t kQuickFrames = 150;  // images that are enough for the first stages
+constexpr int kNoiseRounds = 3;
+constexpr double kImuScaleSigma = 0.02;    // what MEMS sensors are off by, in scale and in rad
+constexpr double kLeastRedundancy = 0.05;  // of the rows: with less the size of the noise cannot be told
 constexpr std::size_t kPoseChunk = 16;
 
 const ImuSignal& imu_signal(const Recording& recording, const Imu& imu) {
@@ -153,7 +157,13 @@ class Calibrator {
       list.push_back({rig_.imus[i].name + ".gyroscope.bias", {}});
       list.push_back({rig_.imus[i].name + ".accelerometer.bias", {}});
       if (i > 0) list.push_back({rig_.imus[i].name + ".T_b_i", {}});
-      if (i > 0 && everything) list.push_back({rig_.imus[i].name + ".time_offset", {}});
+      if (!everything) continue;
+      const Treatment about{Role::kPrior, kImuScaleSigma};
+      for (const char* part : {".gyroscope.scale", ".gyroscope.misalignment", ".accelerometer.scale",
+                               ".accelerometer.misalignment.lower"}) {
+        list.push_back({rig_.imus[i].name + part, about});
+      }
+      if (i > 0) list.push_back({rig_.imus[i].name + ".time_offset", {}});
     }
     for (const Camera& camera : rig_.cameras) {
       if (features_of(camera) == nullptr) continue;
@@ -166,7 +176,8 @@ class Calibrator {
     return list;
   }
 
-  Problem problem(const State& start, bool everything) const {
+  /// `stride`: every so many images only.
+  Problem problem(const State& start, bool everything, std::size_t stride) const {
     Problem problem;
     problem.start = start;
     problem.parameters = parameters_of(start);
@@ -177,25 +188,58 @@ class Calibrator {
     }
     for (std::size_t c = 0; c < rig_.cameras.size(); ++c) {
       const FeatureSignal* features = features_of(rig_.cameras[c]);
-      if (features) add_target(problem, c, *features, target_, used_, sigma_px_[c], {options_.huber_sigmas});
+      if (features == nullptr) continue;
+      add_target(problem, c, thinned(*features, stride), target_, used_, sigma_px_[c], {options_.huber_sigmas});
     }
     add_smoothness(problem);
     add_priors(problem);
     return problem;
   }
 
+  static FeatureSignal thinned(const FeatureSignal& features, std::size_t stride) {
+    FeatureSignal kept;
+    for (std::size_t f = 0; f < features.size(); f += stride) kept.push_back(features.time[f], features.value[f]);
+    return kept;
+  }
+
+  /// First what depends on no clock and no lens, on some of the images; then the sizes of the noise; then everything.
   void solve_stages() {
     for (const Imu& imu : rig_.imus) imu_sigma_.push_back(sigma_of(imu));
-    sigma_px_ = options_.sigma_px;
-    sigma_px_.resize(rig_.cameras.size(), kFirstSigma_px);
+    for (const Camera& camera : rig_.cameras) sigma_px_.push_back(camera.pixel_sigma_px);
+    const std::size_t stride = recording_.features.empty() ? 1 : std::max<std::size_t>(1, most_frames() / kQuickFrames);
     SolveOptions quick = options_.solve;
     quick.covariance = false;
     quick.max_iterations = 8;
-    quick.relative_decrease = 1e-4;
-    const Problem first = problem(state_, false);
-    Solution solution = solve(first, quick);
-    result_.problem = problem(solution.state, true);
+    quick.relative_decrease = 1e-3;
+    State state = solve(problem(state_, false, stride), quick).state;
+    for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
+      const Problem every = problem(state, true, stride);
+      const Solution solution = solve(every, quick);
+      state = solution.state;
+      rescale(sensor_fits(every, solution.state, solution.columns, options_.solve.threads));
+    }
+    result_.problem = problem(state, true, 1);
     result_.solution = solve(result_.problem, options_.solve);
+  }
+
+  std::size_t most_frames() const {
+    std::size_t most = 0;
+    for (const auto& [name, features] : recording_.features) most = std::max(most, features.size());
+    return most;
+  }
+
+  void rescale(const std::map<std::string, SensorFit>& fits) {
+    const auto scale = [&](double& sigma, const std::string& sensor) {
+      const auto fit = fits.find(sensor);
+      if (fit != fits.end() && fit->second.redundancy > kLeastRedundancy * static_cast<double>(fit->second.rows)) {
+        sigma *= std::sqrt(fit->second.chi2_per_redundancy());
+      }
+    };
+    for (std::size_t i = 0; i < rig_.imus.size(); ++i) {
+      scale(imu_sigma_[i].gyro, rig_.imus[i].name + ".gyroscope");
+      scale(imu_sigma_[i].accel, rig_.imus[i].name + ".accelerometer");
+    }
+    for (std::size_t c = 0; c < rig_.cameras.size(); ++c) scale(sigma_px_[c], rig_.cameras[c].name);
   }
 
   Rig rig_;

@@ -14,11 +14,10 @@ namespace vispline {
 
 struct CalibrateOptions {
   CurveShape curve{SplineKind::kJoint, 4, from_seconds(0.02)};
-  double gravity = 9.80665;        ///< m/s^2
-  Treatments treatments{};         ///< beyond the usual ones
-  double huber_sigmas = 3.0;       ///< of corners; 0: least squares
-  std::vector<double> sigma_px{};  ///< by camera; empty: found from the residuals
-  bool trust_imu_noise = true;     ///< false: found from the residuals
+  double gravity = 9.80665;   ///< m/s^2
+  Treatments treatments{};    ///< beyond the usual ones
+  double huber_sigmas = 3.0;  ///< of corners; 0: least squares
+  bool trust_noise = false;   ///< sigmas as the rig has them; false: found from the residuals
   SolveOptions solve{};
 };
 
