@@ -16,8 +16,7 @@ constexpr std::size_t kFewestFrames = 20;
 constexpr double kMargin_s = 0.03;         // of the curve beyond the readings: time offsets move them
 constexpr std::size_t kQuickFrames = 150;  // images that are enough for the first stages
 constexpr int kNoiseRounds = 3;
-constexpr double kImuScaleSigma = 0.02;    // what MEMS sensors are off by, in scale and in rad
-constexpr double kLeastRedundancy = 0.05;  // of the rows: with less the size of the noise cannot be told
+constexpr double kImuScaleSigma = 0.02;  // what MEMS sensors are off by, in scale and in rad
 constexpr std::size_t kPoseChunk = 16;
 
 const ImuSignal& imu_signal(const Recording& recording, const Imu& imu) {
@@ -65,7 +64,7 @@ class Calibrator {
   Calibrator(const Rig& start, const Recording& recording, const TargetPoints& target, const CalibrateOptions& options)
       : rig_(start), recording_(recording), target_(target), options_(options) {}
 
-  Calibration run() {
+  Estimation run() {
     require(!rig_.imus.empty() && !rig_.cameras.empty(), "a rig with an IMU and a camera");
     require_valid(rig_);
     find_cameras();
@@ -170,7 +169,6 @@ class Calibrator {
       list.push_back({camera.name + ".T_c_b", {}});
       if (!everything) continue;
       list.push_back({camera.name + ".time_offset", {}});
-      list.push_back({camera.name + ".intrinsics", {}});
       if (camera.shutter.line_delay_s != 0.0) list.push_back({camera.name + ".line_delay", {}});
     }
     return list;
@@ -229,24 +227,15 @@ class Calibrator {
   }
 
   void rescale(const std::map<std::string, SensorFit>& fits) {
-    const auto scale = [&](double& sigma, const std::string& sensor) {
-      const auto fit = fits.find(sensor);
-      if (fit != fits.end() && fit->second.redundancy > kLeastRedundancy * static_cast<double>(fit->second.rows)) {
-        sigma *= std::sqrt(fit->second.chi2_per_redundancy());
-      }
-    };
-    for (std::size_t i = 0; i < rig_.imus.size(); ++i) {
-      scale(imu_sigma_[i].gyro, rig_.imus[i].name + ".gyroscope");
-      scale(imu_sigma_[i].accel, rig_.imus[i].name + ".accelerometer");
-    }
-    for (std::size_t c = 0; c < rig_.cameras.size(); ++c) scale(sigma_px_[c], rig_.cameras[c].name);
+    for (std::size_t i = 0; i < rig_.imus.size(); ++i) rescale_sigma(imu_sigma_[i], rig_.imus[i].name, fits);
+    for (std::size_t c = 0; c < rig_.cameras.size(); ++c) rescale_sigma(sigma_px_[c], rig_.cameras[c].name, fits);
   }
 
   Rig rig_;
   const Recording& recording_;
   const TargetPoints& target_;
   const CalibrateOptions& options_;
-  Calibration result_;
+  Estimation result_;
   std::size_t best_ = 0;
   std::optional<PoseAlignment> alignment_;
   State state_;
@@ -257,8 +246,8 @@ class Calibrator {
 
 }  // namespace
 
-Calibration calibrate(const Rig& start, const Recording& recording, const TargetPoints& target,
-                      const CalibrateOptions& options) {
+Estimation calibrate(const Rig& start, const Recording& recording, const TargetPoints& target,
+                     const CalibrateOptions& options) {
   return Calibrator(start, recording, target, options).run();
 }
 

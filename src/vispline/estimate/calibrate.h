@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "vispline/estimate/assemble.h"
+#include "vispline/estimate/estimation.h"
 #include "vispline/estimate/pose_alignment.h"
-#include "vispline/estimate/solve.h"
 
 namespace vispline {
 
@@ -21,26 +21,9 @@ struct CalibrateOptions {
   SolveOptions solve{};
 };
 
-/// One step towards the solution, and the number that says whether it went well.
-struct Stage {
-  std::string name;     ///< "camera poses of cam0"
-  std::string measure;  ///< "rms of reprojection"
-  double value = 0.0;
-  double limit = 0.0;  ///< a value beyond it is a failure
-  std::string unit;
-  bool passed = false;
-};
-
-struct Calibration {
-  Problem problem{};  ///< the last one, with its start
-  Solution solution{};
-  std::vector<Stage> stages{};
-  Diagnostics diagnostics{};
-};
-
 /// The world is the frame of the target. `recording` must outlive the result. Throws Error(kUnfit) with the verdicts of
 /// align_poses(), E-TARGET if no camera sees enough of the target, E-OVERLAP.
-Calibration calibrate(const Rig& start, const Recording& recording, const TargetPoints& target,
-                      const CalibrateOptions& options);
+Estimation calibrate(const Rig& start, const Recording& recording, const TargetPoints& target,
+                     const CalibrateOptions& options);
 
 }  // namespace vispline

@@ -9,6 +9,7 @@ namespace vispline {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
+constexpr double kLeastRedundancy = 0.05;  // of the rows
 
 }  // namespace
 
@@ -51,6 +52,18 @@ std::map<std::string, SensorFit> sensor_fits(const Problem& problem, const State
     fit.redundancy = static_cast<double>(fit.rows) - pulled.at(name).cwiseProduct(*solved).sum() / probes;
   }
   return fits;
+}
+
+void rescale_sigma(double& sigma, const std::string& sensor, const std::map<std::string, SensorFit>& fits) {
+  const auto fit = fits.find(sensor);
+  if (fit != fits.end() && fit->second.redundancy > kLeastRedundancy * static_cast<double>(fit->second.rows)) {
+    sigma *= std::sqrt(fit->second.chi2_per_redundancy());
+  }
+}
+
+void rescale_sigma(ImuSigma& sigma, const std::string& imu, const std::map<std::string, SensorFit>& fits) {
+  rescale_sigma(sigma.gyro, imu + ".gyroscope", fits);
+  rescale_sigma(sigma.accel, imu + ".accelerometer", fits);
 }
 
 }  // namespace vispline

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "vispline/estimate/imu_measurement.h"
 #include "vispline/estimate/problem.h"
 
 namespace vispline {
@@ -22,5 +23,10 @@ struct SensorFit {
 /// in it: their landmarks absorb what they are. Empty if the information matrix has no full rank.
 std::map<std::string, SensorFit> sensor_fits(const Problem& problem, const State& state, const Columns& columns,
                                              std::size_t threads, int probes = 4);
+
+/// sigma times the root of the sensor's chi2 per redundancy. With hardly any redundancy the size of the noise cannot be
+/// told, and sigma stays.
+void rescale_sigma(double& sigma, const std::string& sensor, const std::map<std::string, SensorFit>& fits);
+void rescale_sigma(ImuSigma& sigma, const std::string& imu, const std::map<std::string, SensorFit>& fits);
 
 }  // namespace vispline
