@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "vispline/io/formats.h"
+#include "vispline/io/recorders.h"
 #include "vispline/io/timed_rows.h"
 
 namespace vispline {
@@ -30,6 +31,7 @@ ImuSample sample_of(const RowValues& values, double gyro, double accel) {
 
 ImuStreamResult stream_imu(const std::string& path, const ReadOptions& options, const ImuSink& sink,
                            const ImuStreamSettings& settings) {
+  if (is_recorder(path, options)) return stream_recorder(path, options, sink, settings);
   ReadContext context(path, "IMU samples", options);
   TextLines lines(context, settings.block_bytes, settings.progress);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));

@@ -8,6 +8,7 @@
 #include "vispline/io/formats.h"
 #include "vispline/io/imu_stream.h"
 #include "vispline/io/read_end.h"
+#include "vispline/io/recorders.h"
 #include "vispline/io/rotations.h"
 #include "vispline/io/timed_rows.h"
 
@@ -112,6 +113,7 @@ ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOpti
 }
 
 ContentKind content_of(const std::string& path, const ReadOptions& options) {
+  if (is_recorder(path, options)) return ContentKind::kImu;
   ReadContext context(path, "samples", options);
   TextLines lines(context);
   const ColumnPlan plan = plan_columns(context, find_layout(context, lines.head(kHeadRows)));

@@ -12,10 +12,12 @@ struct ReadOptions {
   double rate_hz = 0.0;         ///< the file has no times: its rows are samples at this rate from t = 0; 0: not given
   std::string gyro_unit = {};   ///< rad/s, deg/s, deg/h; empty: from the file
   std::string accel_unit = {};  ///< m/s^2, g, mg; empty: from the file
-  char decimal = '.';           ///< ',' for files with a decimal comma
-  bool skip_bad_rows = false;   ///< leave out up to 0.1 % of malformed rows instead of failing
-  bool repair = false;          ///< leave out or sort more rows than the usual 1 %
-  bool strict = false;          ///< the first warning is an error
+  std::string imu_axes =
+      {};              ///< of a GoPro: "YxZ", the axis of each channel, small for a turned sign; empty: from the file
+  char decimal = '.';  ///< ',' for files with a decimal comma
+  bool skip_bad_rows = false;  ///< leave out up to 0.1 % of malformed rows instead of failing
+  bool repair = false;         ///< leave out or sort more rows than the usual 1 %
+  bool strict = false;         ///< the first warning is an error
 };
 
 }  // namespace vispline
