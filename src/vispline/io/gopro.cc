@@ -14,7 +14,7 @@ namespace vispline::gopro {
 namespace {
 
 constexpr double kPayloadSeconds = 1.001;  // what cameras cut their telemetry into
-constexpr std::uint64_t kMaxBareBytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t kMaxBareBytes = std::uint64_t{64} << 20;
 constexpr double kMaxSeconds = 9e9;  // below 2^63 ns
 
 /// All samples of one triad, with the points that tell its clock.
@@ -76,8 +76,14 @@ void load_mp4(ReadContext& context, const Input& input, const ReadProgress& prog
     context.fail(ExitCode::kInput, "E-FORMAT", "a video without a gpmd track", context.path(),
                  "only GoPro videos carry the readings of an IMU in a form that is known");
   }
+  std::uint64_t taken = 0;
   for (const mp4::Payload& payload : telemetry.payloads) {
     const bool inside = payload.offset <= input.size() && payload.size <= input.size() - payload.offset;
+    taken += payload.size;
+    if (taken > input.size()) {  // payloads do not overlap
+      loaded.damaged = true;
+      return;
+    }
     if (!inside || payload.size > mp4::kMaxPayloadBytes) {
       loaded.damaged = true;
       continue;
@@ -86,6 +92,7 @@ void load_mp4(ReadContext& context, const Input& input, const ReadProgress& prog
     for (const gpmf::Device& device : gpmf::parse(as_bytes(bytes), loaded.damaged)) {
       add_device(device, payload.start_s, loaded);
     }
+    require_below(context, loaded.gyro.samples.size() + loaded.accel.samples.size(), "samples");
     loaded.end_s = payload.end_s;
     if (progress) progress(payload.offset + payload.size, input.size());
   }
@@ -94,7 +101,7 @@ void load_mp4(ReadContext& context, const Input& input, const ReadProgress& prog
 /// Payloads one after another, without a container.
 void load_bare(ReadContext& context, const Input& input, Loaded& loaded) {
   if (input.size() > kMaxBareBytes) {
-    context.fail(ExitCode::kLimit, "E-LIMIT", "bare telemetry of more than 256 MiB", context.path(),
+    context.fail(ExitCode::kLimit, "E-LIMIT", "bare telemetry of more than 64 MiB", context.path(),
                  "read the video that it comes from");
   }
   const std::string bytes = bytes_at(input, 0, static_cast<std::size_t>(input.size()));

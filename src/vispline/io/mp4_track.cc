@@ -199,9 +199,9 @@ void set_times(const std::string& table, double timescale, std::vector<Payload>&
   for (std::size_t run = 0; run < runs && sample < payloads.size(); ++run) {
     const std::uint64_t count = load_be(table, 8 + 8 * run, 4), step = load_be(table, 12 + 8 * run, 4);
     for (std::uint64_t i = 0; i < count && sample < payloads.size(); ++i, ++sample) {
-      payloads[sample].start_s = static_cast<double>(ticks) / tablecale;
+      payloads[sample].start_s = static_cast<double>(ticks) / timescale;
       ticks += step;
-      payloads[sample].end_s = static_cast<double>(ticks) / tablecale;
+      payloads[sample].end_s = static_cast<double>(ticks) / timescale;
     }
   }
   payloads.resize(sample);

@@ -7,6 +7,7 @@
 
 #include "vispline/io/formats.h"
 #include "vispline/io/imu_stream.h"
+#include "vispline/io/kitti.h"
 #include "vispline/io/read_end.h"
 #include "vispline/io/recorders.h"
 #include "vispline/io/rotations.h"
@@ -74,6 +75,7 @@ PoseRows load_poses(ReadContext& context) {
   TextLines lines(context);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));
   lines.start_at(layout.data_begin, layout.data_line);
+  if (kitti::recognizes(context, layout)) return {kitti::load(context, lines, layout), std::string(kitti::kName)};
   const ColumnPlan plan = plan_columns(context, layout);
   if (!plan.has_poses()) fail_content(context, plan);
   const StampPlan stamps = plan_stamps(context, plan);
@@ -116,7 +118,9 @@ ContentKind content_of(const std::string& path, const ReadOptions& options) {
   if (is_recorder(path, options)) return ContentKind::kImu;
   ReadContext context(path, "samples", options);
   TextLines lines(context);
-  const ColumnPlan plan = plan_columns(context, find_layout(context, lines.head(kHeadRows)));
+  const TextLayout layout = find_layout(context, lines.head(kHeadRows));
+  if (kitti::recognizes(context, layout)) return ContentKind::kTrajectory;
+  const ColumnPlan plan = plan_columns(context, layout);
   if (plan.has_imu() && plan.has_poses()) return ContentKind::kBoth;
   if (plan.has_imu()) return ContentKind::kImu;
   if (plan.has_poses()) return ContentKind::kTrajectory;

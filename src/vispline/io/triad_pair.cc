@@ -52,4 +52,10 @@ void require_imu(const ReadContext& context, const ImuAxes& axes, bool whole) {
                context.path(), "give a recording with both");
 }
 
+void require_below(const ReadContext& context, std::size_t held, const std::string& what) {
+  constexpr std::size_t kMost = 64'000'000;
+  if (held <= kMost) return;
+  context.fail(ExitCode::kLimit, "E-LIMIT", "more than 64 million " + what, context.path(), "cut the recording");
+}
+
 }  // namespace vispline

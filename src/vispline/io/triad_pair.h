@@ -17,4 +17,7 @@ void push_paired(ReadContext& context, const std::vector<SensorRow>& gyro, const
 /// E-COLUMNS unless the recording has all six axes where `whole` asks for them.
 void require_imu(const ReadContext& context, const ImuAxes& axes, bool whole);
 
+/// Triads that were recorded apart are held whole: two days of both at 200 Hz. E-LIMIT (exit 7) above 64 million.
+void require_below(const ReadContext& context, std::size_t held, const std::string& what);
+
 }  // namespace vispline

@@ -95,7 +95,7 @@ const Source* source_of(const Subscriptions& subscriptions) {
   return nullptr;
 }
 
-Rows load(const Input& input, const Subscriptions& scanned, const Source& source) {
+Rows load(const ReadContext& context, const Input& input, const Subscriptions& scanned, const Source& source) {
   Rows rows;
   std::array<std::optional<int>, 2> instance;
   for (std::size_t i = 0; i < 2; ++i) instance[i] = instance_of(scanned, source.topics[i]);
@@ -103,6 +103,7 @@ Rows load(const Input& input, const Subscriptions& scanned, const Source& source
   walk(input, again, [&](const Subscription& topic, Bytes message, std::uint64_t offset) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (topic.name != source.topics[i] || topic.instance != instance[i]) continue;
+      require_below(context, rows.gyro.size() + rows.accel.size(), "samples");
       if (const auto us = stamp_of(topic, message)) {
         source.take(topic, message, *us, static_cast<std::int64_t>(offset), rows);
       } else {
@@ -141,7 +142,7 @@ ImuStreamResult stream(const Input& input, const ReadOptions& options, const Imu
     context.fail(ExitCode::kUnfit, "E-TOPIC", "no topic holds IMU samples", context.path(),
                  "log sensor_combined, vehicle_imu, or sensor_gyro and sensor_accel");
   }
-  const Rows rows = load(input, subscriptions, *source);
+  const Rows rows = load(context, input, subscriptions, *source);
   const bool g = !rows.gyro.empty(), a = !rows.accel.empty();
   const ImuAxes axes{.present = {g, g, g, a, a, a}};
   if (g || a) require_imu(context, axes, settings.whole_imu);
