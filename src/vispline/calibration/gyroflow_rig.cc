@@ -1,6 +1,7 @@
 #include "vispline/calibration/dialect_text.h"
 #include "vispline/calibration/rig_checks.h"
 #include "vispline/calibration/rig_dialects.h"
+#include "vispline/calibration/rig_text.h"
 
 // Lens profiles of Gyroflow: one camera, its lens and the readout time of its sensor.
 // https://docs.gyroflow.xyz, Lens calibration; fields as in its src/core/lens_profile.rs.
