@@ -91,6 +91,7 @@ void ReadFlags::add_to(CLI::App& verb) {
   flag("--rate", rate, "[Hz] of a file without times: its rows are samples from t = 0");
   flag("--gyro-unit", gyro_unit, "rad/s, deg/s or deg/h");
   flag("--accel-unit", accel_unit, "m/s^2, g or mg");
+  flag("--imu-axes", imu_axes, "axis of each channel of a GoPro, small for a turned sign, such as YxZ");
   flag("--decimal", decimal, "decimal sign, . or ,");
   verb.add_flag("--skip-bad-rows", skip_bad_rows, "leave out up to 0.1 % of malformed rows")->group("Reading");
   verb.add_flag("--repair", repair, "leave out or sort more rows than the usual 1 %")->group("Reading");
@@ -107,6 +108,7 @@ ReadOptions ReadFlags::options(std::size_t index, const Session& session) const 
           .rate_hz = rate_of(nth(rate, index)),
           .gyro_unit = nth(gyro_unit, index),
           .accel_unit = nth(accel_unit, index),
+          .imu_axes = nth(imu_axes, index),
           .decimal = sign.empty() ? '.' : sign[0],
           .topic = nth(topic, index),
           .gyro_topic = nth(gyro_topic, index),

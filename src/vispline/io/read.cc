@@ -10,7 +10,9 @@
 #include "vispline/io/bag_poses.h"
 #include "vispline/io/formats.h"
 #include "vispline/io/imu_stream.h"
+#include "vispline/io/kitti.h"
 #include "vispline/io/read_end.h"
+#include "vispline/io/recorders.h"
 #include "vispline/io/rotations.h"
 #include "vispline/io/sensor_folder.h"
 #include "vispline/io/timed_rows.h"
@@ -73,6 +75,7 @@ PoseRows load_table_poses(ReadContext& context) {
   TextLines lines(context);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));
   lines.start_at(layout.data_begin, layout.data_line);
+  if (kitti::recognizes(context, layout)) return {kitti::load(context, lines, layout), std::string(kitti::kName)};
   const ColumnPlan plan = plan_columns(context, layout);
   if (!plan.has_poses()) fail_content(context, plan);
   const StampPlan stamps = plan_stamps(context, plan);
@@ -128,9 +131,12 @@ ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOpti
 
 ContentKind content_of(const std::string& path, const ReadOptions& options) {
   if (is_bag(path)) return content_of_bag(ReadContext(path, "samples", options));
+  if (is_recorder(path, options)) return ContentKind::kImu;
   ReadContext context(measurement_file(path, options, SensorKind::kAny), "samples", options);
   TextLines lines(context);
-  const ColumnPlan plan = plan_columns(context, find_layout(context, lines.head(kHeadRows)));
+  const TextLayout layout = find_layout(context, lines.head(kHeadRows));
+  if (kitti::recognizes(context, layout)) return ContentKind::kTrajectory;
+  const ColumnPlan plan = plan_columns(context, layout);
   if (plan.has_imu() && plan.has_poses()) return ContentKind::kBoth;
   if (plan.has_imu()) return ContentKind::kImu;
   if (plan.has_poses()) return ContentKind::kTrajectory;

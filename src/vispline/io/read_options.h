@@ -18,8 +18,9 @@ struct ReadOptions {
   double rate_hz = 0.0;         ///< the file has no times: its rows are samples at this rate from t = 0; 0: not given
   std::string gyro_unit = {};   ///< rad/s, deg/s, deg/h; empty: from the file
   std::string accel_unit = {};  ///< m/s^2, g, mg; empty: from the file
-  char decimal = '.';           ///< ',' for files with a decimal comma
-  std::string topic = {};       ///< of a recording, or the sensor of an EuRoC folder; empty: the only one that fits
+  std::string imu_axes = {};  ///< of a GoPro: "YxZ", the axis of each channel, small for a turned sign; empty: its own
+  char decimal = '.';         ///< ',' for files with a decimal comma
+  std::string topic = {};     ///< of a recording, or the sensor of an EuRoC folder; empty: the only one that fits
   std::string gyro_topic = {};  ///< the gyroscope stands alone in this topic of a recording, accel_topic goes with it
   std::string accel_topic = {};
   StampClock clock = StampClock::kHeader;
