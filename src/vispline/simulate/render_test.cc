@@ -53,6 +53,7 @@ Pose upright(double x, double y, double z) {
 }
 
 constexpr RenderOptions kNoiseless{.read_sigma_grey = 0.0};
+constexpr RenderOptions kFine{.supersampling = 8, .read_sigma_grey = 0.0};  // rims of boards fall between few rays
 
 GreyImage picture(const Scene& scene, const Camera& camera, const Turn& turn, const RenderOptions& options) {
   return Renderer(scene, camera, options).render(Trajectory(turn), kStamp).value();
@@ -73,6 +74,17 @@ Vector2d shutter_pixel(const Camera& camera, const Turn& turn, const Vector3d& p
   return seen(low);
 }
 
+/// Light at a pixel, blurred by (1 4 6 4 1) / 16 in both directions: an edge between pixels then has no steps.
+double soft(const GreyImage& image, int x, int y) {
+  constexpr std::array<double, 5> kWeights{1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
+  double sum = 0.0;
+  for (int i = 0; i < 25; ++i) {
+    sum += kWeights[static_cast<std::size_t>(i / 5)] * kWeights[static_cast<std::size_t>(i % 5)] *
+           image.at(x + i % 5 - 2, y + i / 5 - 2);
+  }
+  return sum;
+}
+
 /// The saddle at which two dark and two bright squares meet: gradients of the window are normal to the way to it.
 Vector2d refined_corner(const GreyImage& image, Vector2d px) {
   for (int iteration = 0; iteration < 10; ++iteration) {
@@ -81,8 +93,9 @@ Vector2d refined_corner(const GreyImage& image, Vector2d px) {
     const int cx = static_cast<int>(std::lround(px.x())), cy = static_cast<int>(std::lround(px.y()));
     for (int y = cy - 5; y <= cy + 5; ++y) {
       for (int x = cx - 5; x <= cx + 5; ++x) {
-        const Vector2d at(x, y),
-            gradient(image.at(x + 1, y) - image.at(x - 1, y), image.at(x, y + 1) - image.at(x, y - 1));
+        const Vector2d at(x, y);
+        const Vector2d gradient(soft(image, x + 1, y) - soft(image, x - 1, y),
+                                soft(image, x, y + 1) - soft(image, x, y - 1));
         const double weight = std::exp(-(at - px).squaredNorm() / 8.0);
         A += weight * gradient * gradient.transpose();
         b += weight * gradient * gradient.dot(at);
@@ -93,7 +106,7 @@ Vector2d refined_corner(const GreyImage& image, Vector2d px) {
   return px;
 }
 
-/// Worst and mean distance of the corners of a board from where they must be.
+/// Worst distance of the corners of a board from where they must be.
 struct CornerErrors {
   double worst_px = 0.0;
   int corners = 0;
@@ -104,7 +117,7 @@ CornerErrors corner_errors(const Scene& board, const Camera& camera, const Turn&
   CornerErrors errors;
   for (const SceneLandmark& landmark : board.landmarks) {
     const Vector2d expected = shutter_pixel(camera, turn, landmark.point_w);
-    if (expected.minCoeff() < 8 || expected.x() > 631 || expected.y() > 471) continue;
+    if (expected.minCoeff() < 12 || expected.x() > 627 || expected.y() > 467) continue;
     errors.worst_px = std::max(errors.worst_px, (refined_corner(image, expected) - expected).norm());
     ++errors.corners;
   }
@@ -117,11 +130,11 @@ TEST(Render, CornersLieWhereTheRollingShutterSeesThem) {
   for (const Turn& turn : {Turn{}, Turn{.rate = {0.4, 0.9, 1.2}, .v_w = {0.5, -0.3, 0.4}}}) {
     const CornerErrors errors = corner_errors(board, camera_forward(), turn);
     EXPECT_GT(errors.corners, 40);
-    EXPECT_LT(errors.worst_px, 0.1);
+    EXPECT_LT(errors.worst_px, 0.06);
   }
 }
 
-TEST(Render, CornersOfAnAprilGridAreRightThroughAFisheyeAndFarSubpixels) {
+TEST(Render, CornersOfAnAprilGridLieWhereAFisheyeSeesThem) {
   Camera camera = camera_forward();
   camera.lens = {LensModel::kPinholeEquidistant,
                  (LensParams(8) << 300.3, 299.1, 322.7, 238.2, -0.01, 0.02, -0.008, 0.002).finished()};
@@ -129,7 +142,7 @@ TEST(Render, CornersOfAnAprilGridAreRightThroughAFisheyeAndFarSubpixels) {
   const Scene board = aprilgrid_scene({}, upright(-0.3, 0.6, -0.3));
   const CornerErrors errors = corner_errors(board, camera, {.rate = {-0.3, 0.8, 0.9}, .v_w = {0.2, 0.1, -0.3}});
   EXPECT_GT(errors.corners, 100);
-  EXPECT_LT(errors.worst_px, 0.1);
+  EXPECT_LT(errors.worst_px, 0.06);
 }
 
 TEST(Render, EveryBitOfEveryTagCanBeRead) {
@@ -174,8 +187,7 @@ class Edge : public ::testing::Test {
 
 TEST_F(Edge, BendsByThePredictedNumberOfPixels) {
   const Turn turn{.rate = {0.0, 0.0, 1.0}, .acceleration = {0.0, 0.0, 200.0}};
-  const RenderOptions fine{.supersampling = 8, .read_sigma_grey = 0.0};
-  const GreyImage image = picture(scene_, camera_forward(), turn, fine);
+  const GreyImage image = picture(scene_, camera_forward(), turn, kFine);
   const auto predicted = [&](int row) {
     const double t = (row - 240) * kDelay_s, yaw = t + 100.0 * t * t;
     return 320.0 + 460.0 * std::tan(yaw);  // a turn to the left moves the edge to the right
@@ -189,14 +201,14 @@ TEST_F(Edge, BendsByThePredictedNumberOfPixels) {
 TEST_F(Edge, IsStraightForAGlobalShutterAndShearsTheOtherWayForAnUpwardReading) {
   const Turn turn{.rate = {0.0, 0.0, 1.0}};
   Camera camera = camera_forward();
-  const RenderOptions fine{.supersampling = 8, .read_sigma_grey = 0.0};
   const auto shear = [&] {
-    const GreyImage image = picture(scene_, camera, turn, fine);
+    const GreyImage image = picture(scene_, camera, turn, kFine);
     return column(image, 479) - column(image, 0);
   };
   EXPECT_NEAR(shear(), 460.0 * 479 * kDelay_s, 0.2);
   camera.shutter.direction = ReadoutDirection::kUp;
   EXPECT_NEAR(shear(), -460.0 * 479 * kDelay_s, 0.2);
+  camera.rate_hz = 20.0;
   camera.shutter.direction = ReadoutDirection::kRight;  // all of the vertical edge is read at one time
   EXPECT_NEAR(shear(), 0.0, 0.1);
   camera.shutter = {};
@@ -206,9 +218,9 @@ TEST_F(Edge, IsStraightForAGlobalShutterAndShearsTheOtherWayForAnUpwardReading) 
 TEST_F(Edge, IsBlurredAroundTheMiddleOfTheExposure) {
   const Turn turn{.rate = {0.0, 0.0, 2.0}};
   Camera camera = camera_forward();
-  const GreyImage sharp = picture(scene_, camera, turn, kNoiseless);
+  const GreyImage sharp = picture(scene_, camera, turn, kFine);
   camera.shutter.exposure_s = 0.01;
-  const GreyImage blurred = picture(scene_, camera, turn, kNoiseless);
+  const GreyImage blurred = picture(scene_, camera, turn, kFine);
   int grey = 0;
   for (int x = 0; x < 640; ++x) grey += blurred.at(x, 240) > 45 && blurred.at(x, 240) < 195;
   EXPECT_NEAR(grey, 460.0 * 2.0 * 0.01, 1.5);
