@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "course_output.h"
+#include "image_output.h"
 #include "rig_output.h"
 #include "vispline/core/parallel.h"
 #include "vispline/io/rig_file.h"
@@ -20,6 +21,8 @@ struct Counts {
   std::size_t imu_samples = 0;
   std::size_t imu_outside = 0;
   FeatureCounts features{};
+  std::size_t images = 0;
+  std::size_t images_outside = 0;
 };
 
 struct Simulation {
@@ -97,6 +100,19 @@ void write_imu(const RigTask& task, const Simulation& all, std::size_t index, Ou
   output.publish();
 }
 
+/// One for each camera; none without --images.
+std::vector<ImageOutput> image_outputs(const RigTask& task, const Simulation& all, OutputOptions options) {
+  std::vector<ImageOutput> outputs;
+  if (!task.flags.images) return outputs;
+  RenderOptions render = task.flags.render;
+  render.seed = task.seed;
+  render.threads = threads_of(task);
+  for (const Camera& camera : all.document.rig.cameras) {
+    outputs.emplace_back(task.out, all.scene.scene, camera, render, options);
+  }
+  return outputs;
+}
+
 void write_cameras(const RigTask& task, const Simulation& all, OutputOptions options, Counts& counts) {
   const Rig& rig = all.document.rig;
   if (rig.cameras.empty()) return;
@@ -109,13 +125,22 @@ void write_cameras(const RigTask& task, const Simulation& all, OutputOptions opt
   const OutputGuard guard;
   std::vector<CameraOutput> outputs;
   for (const Camera& camera : rig.cameras) outputs.emplace_back(task.out, camera, target_points, options);
+  std::vector<ImageOutput> images = image_outputs(task, all, options);
   Progress progress("images", CameraFrames(rig.cameras, simulation.clocks, all.start, all.duration).size());
-  counts.features = simulate_features(all.source.trajectory, rig, all.scene.scene, all.start, all.duration, simulation,
-                                      [&](const SimulatedFrame& frame) {
-                                        outputs[frame.instant.camera].write(frame);
-                                        progress.add(1);
-                                      });
+  counts.features = simulate_features(
+      all.source.trajectory, rig, all.scene.scene, all.start, all.duration, simulation,
+      [&](const SimulatedFrame& frame) {
+        outputs[frame.instant.camera].write(frame);
+        if (task.flags.images) {
+          counts.images += images[frame.instant.camera].write(all.source.trajectory, frame.instant).has_value();
+        }
+        progress.add(1);
+      });
   for (CameraOutput& output : outputs) output.publish();
+  for (ImageOutput& output : images) {
+    output.publish();
+    counts.images_outside += output.outside();
+  }
 }
 
 std::string camera_notes(const Camera& camera) {
@@ -164,7 +189,8 @@ void print_summary(const RigTask& task, const Simulation& all, const Counts& cou
         .set("imus", static_cast<std::int64_t>(rig.imus.size()))
         .set("samples", static_cast<std::int64_t>(counts.imu_samples))
         .set("cameras", static_cast<std::int64_t>(rig.cameras.size()))
-        .set("images", static_cast<std::int64_t>(counts.features.frames))
+        .set("frames", static_cast<std::int64_t>(counts.features.frames))
+        .set("images", static_cast<std::int64_t>(counts.images))
         .set("features", static_cast<std::int64_t>(counts.features.features))
         .set("displaced_features", static_cast<std::int64_t>(counts.features.outliers))
         .set("landmarks", static_cast<std::int64_t>(all.scene.scene.landmarks.size()))
@@ -178,7 +204,7 @@ void print_summary(const RigTask& task, const Simulation& all, const Counts& cou
   }
   if (all.source.fit) std::cout << fit_text(*all.source.fit);
   std::cout << counts.imu_samples << " samples of " << rig.imus.size() << " IMUs, " << counts.features.frames
-            << " images of " << rig.cameras.size() << " cameras with " << counts.features.features << " features of "
+            << " frames of " << rig.cameras.size() << " cameras with " << counts.features.features << " features of "
             << all.scene.scene.landmarks.size() << " landmarks over " << number_text(to_seconds(all.duration), 9)
             << " s written to " << task.out << "\n";
 }
@@ -198,7 +224,8 @@ void simulate_rig(const RigTask& task, Session& session) {
     session.add({.code = "W-KALIBR", .message = note, .where = task.out + "/kalibr", .effect = "", .next = ""});
   }
   warn(session, counts.imu_outside, "W-SPAN", " IMU samples lie outside the trajectory", "they are left out");
-  warn(session, counts.features.frames_outside, "W-SPAN", " images lie outside the trajectory", "they are left out");
+  warn(session, counts.features.frames_outside, "W-SPAN", " frames lie outside the trajectory", "they are left out");
+  warn(session, counts.images_outside, "W-SPAN", " images are exposed outside the trajectory", "they are not rendered");
   warn(session, counts.features.unsolved, "W-SHUTTER", " times a landmark moved along with the reading of its lines",
        "it is left out of that image");
   session.finish();
