@@ -1,8 +1,10 @@
 #include "simulate_rig.h"
 
 #include <iostream>
+#include <memory>
 #include <sstream>
 
+#include "bag_output.h"
 #include "course_output.h"
 #include "image_output.h"
 #include "rig_output.h"
@@ -85,15 +87,27 @@ ImuSimulation imu_simulation(const RigTask& task, const Simulation& all, const I
           .clock_start = all.start};
 }
 
-void write_imu(const RigTask& task, const Simulation& all, std::size_t index, OutputOptions options, Counts& counts) {
+using Bags = std::vector<std::unique_ptr<BagOutput>>;
+
+Bags bag_outputs(const RigTask& task, const Rig& rig, OutputOptions options) {
+  Bags bags;
+  for (const char* name : {"bag", "mcap", "rosbag2"}) {
+    if (!task.flags.wants(name)) continue;
+    bags.push_back(std::make_unique<BagOutput>(name, task.out, rig, task.flags.images, options.force));
+  }
+  return bags;
+}
+
+void write_imu(const RigTask& task, const Simulation& all, std::size_t index, OutputOptions options, Bags& bags,
+               Counts& counts) {
   const Imu& imu = all.document.rig.imus[index];
   const Stamps stamps = imu_stamps(all, imu);
   const ImuSimulation simulation = imu_simulation(task, all, imu);
-  const OutputGuard guard;
   ImuOutput output(task.out, imu, index == 0, options);
   Progress progress(imu.name, stamps.size());
   counts.imu_outside += simulate_imu(all.source.trajectory, simulation, stamps, [&](const SimulatedImu& block) {
     output.write(block);
+    for (const auto& bag : bags) bag->write(index, block);
     counts.imu_samples += block.measured.size();
     progress.add(block.measured.size());
   });
@@ -113,7 +127,7 @@ std::vector<ImageOutput> image_outputs(const RigTask& task, const Simulation& al
   return outputs;
 }
 
-void write_cameras(const RigTask& task, const Simulation& all, OutputOptions options, Counts& counts) {
+void write_cameras(const RigTask& task, const Simulation& all, OutputOptions options, Bags& bags, Counts& counts) {
   const Rig& rig = all.document.rig;
   if (rig.cameras.empty()) return;
   FeatureSimulation simulation = task.flags.features;
@@ -122,20 +136,24 @@ void write_cameras(const RigTask& task, const Simulation& all, OutputOptions opt
   simulation.seed = task.seed;
   simulation.threads = threads_of(task);
   const std::size_t target_points = all.scene.target ? all.scene.scene.landmarks.size() : 0;
-  const OutputGuard guard;
   std::vector<CameraOutput> outputs;
   for (const Camera& camera : rig.cameras) outputs.emplace_back(task.out, camera, target_points, options);
   std::vector<ImageOutput> images = image_outputs(task, all, options);
   Progress progress("images", CameraFrames(rig.cameras, simulation.clocks, all.start, all.duration).size());
-  counts.features = simulate_features(
-      all.source.trajectory, rig, all.scene.scene, all.start, all.duration, simulation,
-      [&](const SimulatedFrame& frame) {
-        outputs[frame.instant.camera].write(frame);
-        if (task.flags.images) {
-          counts.images += images[frame.instant.camera].write(all.source.trajectory, frame.instant).has_value();
-        }
-        progress.add(1);
-      });
+  const auto take = [&](const SimulatedFrame& frame) {
+    const std::size_t camera = frame.instant.camera;
+    outputs[camera].write(frame);
+    if (task.flags.images) {
+      const auto image = images[camera].write(all.source.trajectory, frame.instant);
+      for (const auto& bag : bags) {
+        if (image) bag->write(camera, frame.instant.stamp, *image);
+      }
+      counts.images += image.has_value();
+    }
+    progress.add(1);
+  };
+  counts.features =
+      simulate_features(all.source.trajectory, rig, all.scene.scene, all.start, all.duration, simulation, take);
   for (CameraOutput& output : outputs) output.publish();
   for (ImageOutput& output : images) {
     output.publish();
@@ -216,10 +234,12 @@ void simulate_rig(const RigTask& task, Session& session) {
   probe_output(task.out + "/rig.yaml", 0, options);
   const Simulation all = load(task, session);
   Counts counts;
-  for (std::size_t i = 0; i < all.document.rig.imus.size(); ++i) write_imu(task, all, i, options, counts);
-  write_cameras(task, all, options, counts);
-  if (task.flags.wants("course")) write_course_of(task, all, options);
   const OutputGuard guard;
+  Bags bags = bag_outputs(task, all.document.rig, options);
+  for (std::size_t i = 0; i < all.document.rig.imus.size(); ++i) write_imu(task, all, i, options, bags, counts);
+  write_cameras(task, all, options, bags, counts);
+  for (const auto& bag : bags) bag->publish();
+  if (task.flags.wants("course")) write_course_of(task, all, options);
   for (const std::string& note : write_rig_files(task.out, all.document, all.scene, options)) {
     session.add({.code = "W-KALIBR", .message = note, .where = task.out + "/kalibr", .effect = "", .next = ""});
   }
