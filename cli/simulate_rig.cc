@@ -2,22 +2,15 @@
 
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "bag_output.h"
-#include "course_output.h"
 #include "image_output.h"
+#include "rig_course.h"
 #include "rig_output.h"
-#include "vispline/core/parallel.h"
-#include "vispline/io/rig_file.h"
-#include "vispline/io/rig_presets.h"
 #include "vispline/results/table.h"
 
 namespace vispline::cli {
 namespace {
-
-/// An analytic motion goes on for so long behind the last stamp, so that time offsets and readouts lose no sample.
-constexpr double kTail_s = 1.0;
 
 struct Counts {
   std::size_t imu_samples = 0;
@@ -26,66 +19,6 @@ struct Counts {
   std::size_t images = 0;
   std::size_t images_outside = 0;
 };
-
-struct Simulation {
-  RigDocument document{};
-  TrajectorySource source;
-  Time start{};
-  Duration duration{};
-  SceneSource scene{};
-};
-
-RigDocument load_rig(const std::string& names, Session& session) {
-  if (auto preset = rig_preset(names)) return *preset;
-  std::vector<std::string> paths;
-  std::istringstream list(names);
-  for (std::string path; std::getline(list, path, ',');) paths.push_back(path);
-  ReadRig read = read_rig(paths);
-  session.add(read.diagnostics);
-  return {read.rig, read.g_w, read.estimate, read.clocks};
-}
-
-TrajectorySource load_motion(TrajectoryFlags flags, const ReadFlags& read, Session& session) {
-  flags.duration_s = flags.duration_s.value_or(20.0) + kTail_s;
-  return load_trajectory(flags, read, session);
-}
-
-Simulation load(const RigTask& task, Session& session) {
-  Simulation all{.document = load_rig(task.flags.rig, session),
-                 .source = load_motion(task.trajectory, task.read, session)};
-  const TimeSpan span = all.source.trajectory.span();
-  all.start = task.trajectory.start_s ? Time{} + from_seconds(*task.trajectory.start_s) : span.begin;
-  const Duration rest =
-      all.source.fit ? Duration(span.end - all.start) : Duration(span.end - all.start) - from_seconds(kTail_s);
-  all.duration = task.trajectory.duration_s ? from_seconds(*task.trajectory.duration_s) : rest;
-  require(all.duration > Duration::zero(), "a start before the end of the trajectory");
-  all.scene = load_scene({.name = task.flags.scene,
-                          .trajectory = all.source.trajectory,
-                          .rig = all.document.rig,
-                          .span = {all.start, all.start + all.duration},
-                          .landmarks = task.flags.landmarks,
-                          .seed = task.seed},
-                         session);
-  return all;
-}
-
-std::size_t threads_of(const RigTask& task) { return task.threads == 0 ? hardware_threads() : task.threads; }
-
-Stamps imu_stamps(const Simulation& all, const Imu& imu) {
-  const Duration phase = from_seconds(clock_of(all.document.clocks, imu.name).phase_s);
-  require(phase < all.duration, "a duration longer than the phases of the sensors");
-  return Stamps({all.start + phase, imu.rate_hz}, all.duration - phase);
-}
-
-ImuSimulation imu_simulation(const RigTask& task, const Simulation& all, const Imu& imu) {
-  return {.imu = imu,
-          .g_w = all.document.g_w,
-          .seed = task.seed,
-          .threads = threads_of(task),
-          .outside = OutsideSpan::kSkip,
-          .clock_drift = clock_of(all.document.clocks, imu.name).drift,
-          .clock_start = all.start};
-}
 
 using Bags = std::vector<std::unique_ptr<BagOutput>>;
 
@@ -98,7 +31,7 @@ Bags bag_outputs(const RigTask& task, const Rig& rig, OutputOptions options) {
   return bags;
 }
 
-void write_imu(const RigTask& task, const Simulation& all, std::size_t index, OutputOptions options, Bags& bags,
+void write_imu(const RigTask& task, const RigInputs& all, std::size_t index, OutputOptions options, Bags& bags,
                Counts& counts) {
   const Imu& imu = all.document.rig.imus[index];
   const Stamps stamps = imu_stamps(all, imu);
@@ -115,7 +48,7 @@ void write_imu(const RigTask& task, const Simulation& all, std::size_t index, Ou
 }
 
 /// One for each camera; none without --images.
-std::vector<ImageOutput> image_outputs(const RigTask& task, const Simulation& all, OutputOptions options) {
+std::vector<ImageOutput> image_outputs(const RigTask& task, const RigInputs& all, OutputOptions options) {
   std::vector<ImageOutput> outputs;
   if (!task.flags.images) return outputs;
   RenderOptions render = task.flags.render;
@@ -127,7 +60,7 @@ std::vector<ImageOutput> image_outputs(const RigTask& task, const Simulation& al
   return outputs;
 }
 
-void write_cameras(const RigTask& task, const Simulation& all, OutputOptions options, Bags& bags, Counts& counts) {
+void write_cameras(const RigTask& task, const RigInputs& all, OutputOptions options, Bags& bags, Counts& counts) {
   const Rig& rig = all.document.rig;
   if (rig.cameras.empty()) return;
   FeatureSimulation simulation = task.flags.features;
@@ -161,45 +94,12 @@ void write_cameras(const RigTask& task, const Simulation& all, OutputOptions opt
   }
 }
 
-std::string camera_notes(const Camera& camera) {
-  std::string text = "Camera: T_b_c, row by row:";
-  const Pose T_b_c = camera.T_c_b.inverse();
-  for (int row = 0; row < 3; ++row) {
-    text += " [" + number_text(T_b_c.R(row, 0), 9) + " " + number_text(T_b_c.R(row, 1), 9) + " " +
-            number_text(T_b_c.R(row, 2), 9) + " " + number_text(T_b_c.p[row], 9) + "]";
-  }
-  return text + ".\nNothing is cut at the image border. Lens and noise: rig.yaml.\n";
-}
-
-/// The first IMU and the first camera of the rig in the course's files.
-void write_course_of(const RigTask& task, const Simulation& all, OutputOptions options) {
-  const Rig& rig = all.document.rig;
-  require(!rig.imus.empty() && !rig.cameras.empty(), "an IMU and a camera for the course's files");
-  const Camera& camera = rig.cameras[0];
-  require(camera.shutter.line_delay_s == 0.0, "a global shutter for the course's files");
-  const Stamps stamps = imu_stamps(all, rig.imus[0]);
-  CourseTask course{.trajectory = all.source.trajectory,
-                    .imu = imu_simulation(task, all, rig.imus[0]),
-                    .stamps = stamps,
-                    .T_b_c = camera.T_c_b.inverse(),
-                    .folder = task.out + "/course",
-                    .points_w = {},
-                    .camera_notes = camera_notes(camera)};
-  if (task.flags.scene != "house") course.segments_w.clear();
-  for (const SceneLandmark& landmark : all.scene.scene.landmarks) course.points_w.push_back(landmark.point_w);
-  CameraFrames frames({camera}, all.document.clocks, all.start, all.duration);
-  while (const auto frame = frames.next()) {
-    course.images.push_back(frame->stamp + from_seconds(frame->clock_delay_s + camera.time_offset_s));
-  }
-  write_course(course, options);
-}
-
 void warn(Session& session, std::size_t count, const char* code, const std::string& what, const std::string& effect) {
   if (count == 0) return;
   session.add({.code = code, .message = std::to_string(count) + what, .where = "", .effect = effect, .next = ""});
 }
 
-void print_summary(const RigTask& task, const Simulation& all, const Counts& counts, const Session& session) {
+void print_summary(const RigTask& task, const RigInputs& all, const Counts& counts, const Session& session) {
   const Rig& rig = all.document.rig;
   if (session.json) {
     JsonObject document = begin_document("vispline.simulate/1", session.context);
@@ -232,14 +132,14 @@ void print_summary(const RigTask& task, const Simulation& all, const Counts& cou
 void simulate_rig(const RigTask& task, Session& session) {
   const OutputOptions options = output_options(session);
   probe_output(task.out + "/rig.yaml", 0, options);
-  const Simulation all = load(task, session);
+  const RigInputs all = load_inputs(task, session);
   Counts counts;
   const OutputGuard guard;
   Bags bags = bag_outputs(task, all.document.rig, options);
   for (std::size_t i = 0; i < all.document.rig.imus.size(); ++i) write_imu(task, all, i, options, bags, counts);
   write_cameras(task, all, options, bags, counts);
   for (const auto& bag : bags) bag->publish();
-  if (task.flags.wants("course")) write_course_of(task, all, options);
+  if (task.flags.wants("course")) write_rig_course(task, all, options);
   for (const std::string& note : write_rig_files(task.out, all.document, all.scene, options)) {
     session.add({.code = "W-KALIBR", .message = note, .where = task.out + "/kalibr", .effect = "", .next = ""});
   }
