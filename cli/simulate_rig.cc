@@ -102,9 +102,8 @@ void warn(Session& session, std::size_t count, const char* code, const std::stri
 void print_summary(const RigTask& task, const RigInputs& all, const Counts& counts, const Session& session) {
   const Rig& rig = all.document.rig;
   if (session.json) {
-    JsonObject document = begin_document("vispline.simulate/1", session.context);
-    document.set("format", std::string("rig"))
-        .set("imus", static_cast<std::int64_t>(rig.imus.size()))
+    JsonObject document = begin_document("vispline.simulate_rig/1", session.context);
+    document.set("imus", static_cast<std::int64_t>(rig.imus.size()))
         .set("samples", static_cast<std::int64_t>(counts.imu_samples))
         .set("cameras", static_cast<std::int64_t>(rig.cameras.size()))
         .set("frames", static_cast<std::int64_t>(counts.features.frames))
@@ -115,7 +114,6 @@ void print_summary(const RigTask& task, const RigInputs& all, const Counts& coun
         .set("begin_s", to_seconds(all.start - Time{}))
         .set("end_s", to_seconds(all.start + all.duration - Time{}))
         .set("seed", static_cast<std::int64_t>(task.seed));
-    if (all.source.fit) document.set("fit", fit_json(*all.source.fit));
     end_document(document, session.context);
     std::cout << document.text();
     return;
