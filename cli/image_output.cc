@@ -5,19 +5,15 @@
 #include "vispline/io/png.h"
 
 namespace vispline::cli {
-namespace {
 
-const Scene& with_surfaces(const Scene& scene) {
+void require_surfaces(const Scene& scene) {
   require(!scene.surfaces.empty(), "a scene with surfaces for --images: a room or a board");
-  return scene;
 }
-
-}  // namespace
 
 ImageOutput::ImageOutput(const std::string& folder, const Scene& scene, const Camera& camera,
                          const RenderOptions& render, OutputOptions options)
     : folder_(folder + "/mav0/" + camera.name),
-      renderer_(with_surfaces(scene), camera, render),
+      renderer_(scene, camera, render),
       options_(options),
       list_(folder_ + "/data.csv", options) {
   options_.sync = false;

@@ -11,9 +11,12 @@
 
 namespace vispline::cli {
 
+/// Throws E-ARGUMENT for a scene without surfaces.
+void require_surfaces(const Scene& scene);
+
 class ImageOutput {
  public:
-  /// Throws E-ARGUMENT for a scene without surfaces.
+  /// Precondition: a scene with surfaces.
   ImageOutput(const std::string& folder, const Scene& scene, const Camera& camera, const RenderOptions& render,
               OutputOptions options);
   /// The image of a frame; empty, and nothing is written, if the trajectory does not cover all its exposures.

@@ -19,11 +19,14 @@ std::string camera_notes(const Camera& camera) {
 
 }  // namespace
 
+void require_course(const Rig& rig) {
+  require(!rig.imus.empty() && !rig.cameras.empty(), "an IMU and a camera for the course's files");
+  require(rig.cameras[0].shutter.line_delay_s == 0.0, "a global shutter for the course's files");
+}
+
 void write_rig_course(const RigTask& task, const RigInputs& all, OutputOptions options) {
   const Rig& rig = all.document.rig;
-  require(!rig.imus.empty() && !rig.cameras.empty(), "an IMU and a camera for the course's files");
   const Camera& camera = rig.cameras[0];
-  require(camera.shutter.line_delay_s == 0.0, "a global shutter for the course's files");
   const Stamps stamps = imu_stamps(all, rig.imus[0]);
   CourseTask course{.trajectory = all.source.trajectory,
                     .imu = imu_simulation(task, all, rig.imus[0]),

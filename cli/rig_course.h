@@ -6,7 +6,9 @@
 
 namespace vispline::cli {
 
-/// Into the folder course of the output. Throws E-ARGUMENT for a rig without IMU or camera, or with a rolling shutter.
+/// Throws E-ARGUMENT for a rig without IMU or camera, or with a rolling shutter.
+void require_course(const Rig& rig);
+/// Into the folder course of the output. Precondition: require_course().
 void write_rig_course(const RigTask& task, const RigInputs& inputs, OutputOptions options);
 
 }  // namespace vispline::cli

@@ -125,12 +125,25 @@ void print_summary(const RigTask& task, const RigInputs& all, const Counts& coun
             << " s written to " << task.out << "\n";
 }
 
+/// Proves before anything is written that all of it can be.
+void probe_outputs(const RigTask& task, const RigInputs& all, OutputOptions options) {
+  if (task.flags.images) require_surfaces(all.scene.scene);
+  if (task.flags.wants("course")) require_course(all.document.rig);
+  std::vector<std::string> paths = rig_output_paths(task.out, all.document.rig, all.scene);
+  if (task.flags.wants("course")) paths.push_back(task.out + "/course/README.txt");
+  for (const char* name : {"bag", "mcap"}) {
+    if (task.flags.wants(name)) paths.push_back(bag_path(name, task.out));
+  }
+  for (const std::string& path : paths) probe_output(path, 0, options);
+}
+
 }  // namespace
 
 void simulate_rig(const RigTask& task, Session& session) {
   const OutputOptions options = output_options(session);
   probe_output(task.out + "/rig.yaml", 0, options);
   const RigInputs all = load_inputs(task, session);
+  probe_outputs(task, all, options);
   Counts counts;
   const OutputGuard guard;
   Bags bags = bag_outputs(task, all.document.rig, options);

@@ -76,12 +76,12 @@ TEST(CliRig, ImagesBagsAndCourseFiles) {
     EXPECT_TRUE(holds(files, name)) << name;
   }
   for (const char* name : {"a/recording.bag", "a/rosbag2"}) {
-    std::map<std::string, std::uint64_t> counts;
+    std::map<std::string, std::int64_t> counts;
     const auto bag = open_bag(program.path(name));
-    for (const Topic& topic : bag->topics()) counts[topic.name] = topic.count;
-    EXPECT_EQ(counts["/imu0"], 40u) << name;
-    EXPECT_EQ(counts["/cam1/image_raw"], 4u) << name;
-    EXPECT_EQ(counts["/ground_truth/pose"], 40u) << name;
+    for (const Topic& topic : bag->topics()) counts[topic.name] = topic.count.value_or(-1);
+    EXPECT_EQ(counts["/imu0"], 40) << name;
+    EXPECT_EQ(counts["/cam1/image_raw"], 4) << name;
+    EXPECT_EQ(counts["/ground_truth/pose"], 40) << name;
   }
 }
 
@@ -98,7 +98,7 @@ TEST(CliRig, WhatIsRefused) {
   EXPECT_EQ(code("--rig phone --with course", 2), "error[E-ARGUMENT]");
   EXPECT_EQ(code("--rig phone --scene cloud --images", 2), "error[E-ARGUMENT]");
   EXPECT_EQ(code("--scene room", 2), "error[E-USAGE]");
-  for (const std::string& name : program.files()) EXPECT_FALSE(name.ends_with("rig.yaml")) << name;
+  EXPECT_TRUE(program.files().empty());
 }
 
 }  // namespace
