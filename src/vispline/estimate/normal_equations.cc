@@ -146,6 +146,14 @@ std::optional<Step> NormalEquations::step(double lambda) const {
   return step;
 }
 
+std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) const {
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd X(B.rows(), B.cols());
+  for (Eigen::Index c = 0; c < B.cols(); ++c) X.col(c) = reduced.H.solve(B.col(c));
+  return X;
+}
+
 std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
   const Reduced reduced = reduce(0.0);
   if (!reduced.positive) return std::nullopt;
