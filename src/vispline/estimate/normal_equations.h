@@ -44,6 +44,12 @@ class NormalEquations {
     bool positive = false;
   };
   Reduced reduce(double lambda) const;
+  /// Takes the landmarks of kSize unknowns out of the system; false if they have no unique solution.
+  template <int kSize>
+  bool eliminate(double lambda, Reduced& reduced) const;
+  /// Landmarks after all else is known; returns their share of twice the predicted decrease.
+  template <int kSize>
+  double substitute(double lambda, const Reduced& reduced, Step& step) const;
 
   const Problem& problem_;
   Skyline H_;
