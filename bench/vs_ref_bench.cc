@@ -50,12 +50,13 @@ int scalars(const Problem& problem, const VsRef& data) {
   return static_cast<int>(count);
 }
 
-Row run(const VsRef& data, const VsRefSetup& setup) {
+Row run(const VsRef& data, const VsRefSetup& setup, Engine engine) {
   const Problem problem = vs_ref_problem(data, setup);
   SolveOptions options;
+  options.engine = engine;
   options.relative_decrease = 1e-6;
   options.covariance = false;
-  Row row{setup, "own"};
+  Row row{setup, engine == Engine::kOwn ? "own" : "ceres"};
   row.cpu_s = INFINITY;
   Solution solution;
   for (int turn = 0; turn < kTurns; ++turn) {
@@ -112,12 +113,14 @@ int main(int argc, char** argv) {
   const bool as_json = argc > 1 && std::strcmp(argv[1], "--json") == 0;
   const VsRef data = VsRefSimulation(10.0).take();
   std::vector<JsonObject> rows;
-  for (const SplineKind kind : {SplineKind::kJoint, SplineKind::kSplit}) {
+  for (const Engine engine : {Engine::kOwn, Engine::kCeres}) {
     for (const double spacing_s : {0.1, 0.05}) {
-      for (const LandmarkUnknowns unknowns : {LandmarkUnknowns::kInverseDepth, LandmarkUnknowns::kPoint}) {
-        const Row row = run(data, {kind, spacing_s, unknowns});
-        if (!as_json) print(row);
-        rows.push_back(to_json(row));
+      for (const SplineKind kind : {SplineKind::kJoint, SplineKind::kSplit}) {
+        for (const LandmarkUnknowns unknowns : {LandmarkUnknowns::kInverseDepth, LandmarkUnknowns::kPoint}) {
+          const Row row = run(data, {kind, spacing_s, unknowns}, engine);
+          if (!as_json) print(row);
+          rows.push_back(to_json(row));
+        }
       }
     }
   }

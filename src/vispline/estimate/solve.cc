@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vispline/estimate/ceres_engine.h"
 #include "vispline/estimate/normal_equations.h"
 
 namespace vispline {
@@ -40,14 +41,7 @@ void finish(const Problem& problem, const SolveOptions& options, Solution& solut
   if (covariance) solution.covariance = *covariance;
 }
 
-}  // namespace
-
-Solution solve(const Problem& problem, const SolveOptions& options) {
-  Solution solution;
-  solution.state = problem.start;
-  solution.parameters = problem.parameters;
-  solution.columns = assign_columns(solution.state, solution.parameters);
-  solution.status = SolveStatus::kIterationLimit;
+void minimize(const Problem& problem, const SolveOptions& options, Solution& solution) {
   Damping damping(options.first_lambda);
   CostAt at = cost_at(problem, solution.state, solution.columns, options.threads);
   solution.first_cost = at.cost;
@@ -93,6 +87,17 @@ Solution solve(const Problem& problem, const SolveOptions& options) {
   }
   solution.cost = at.cost;
   solution.lost = at.lost;
+}
+
+}  // namespace
+
+Solution solve(const Problem& problem, const SolveOptions& options) {
+  Solution solution;
+  solution.state = problem.start;
+  solution.parameters = problem.parameters;
+  solution.columns = assign_columns(solution.state, solution.parameters);
+  solution.status = SolveStatus::kIterationLimit;
+  (options.engine == Engine::kOwn ? minimize : minimize_with_ceres)(problem, options, solution);
   finish(problem, options, solution);
   return solution;
 }

@@ -18,7 +18,13 @@ struct IterationRow {
   bool accepted = false;
 };
 
+enum class Engine {
+  kOwn,    ///< ours: exploits the structure
+  kCeres,  ///< the same rows through Ceres, the independent check
+};
+
 struct SolveOptions {
+  Engine engine = Engine::kOwn;
   int max_iterations = 50;
   double least_decrease = 1e-6;  ///< converged when a step promises less: 1e-6 is a step of 0.0014 sigma in all
   double relative_decrease = 1e-10;

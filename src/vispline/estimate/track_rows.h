@@ -1,0 +1,22 @@
+/// A track as rows with derivatives, for engines that do their own elimination. docs/math/estimate.md, Tracks.
+#pragma once
+
+#include "vispline/estimate/track.h"
+
+namespace vispline {
+
+/// One sighting: residual in sigmas and its derivatives. A column of the system stands once in `column`.
+struct SightingRows {
+  Vector2d r = Vector2d::Zero();
+  double weight = 1.0;  ///< rho' of the robust loss
+  std::vector<int> column{};
+  Eigen::Matrix<double, 2, Eigen::Dynamic> J{};
+  Eigen::Matrix<double, 2, 3> J_landmark = Eigen::Matrix<double, 2, 3>::Zero();  ///< the first size() columns count
+  bool lost = false;  ///< cannot be predicted here: no rows, the cost of a lost reading
+};
+
+/// One for each sighting; that of an exact reference pixel has no columns.
+std::vector<SightingRows> linearize_sightings(const State& state, const Columns& columns, const TrackModel& model,
+                                              const Track& track);
+
+}  // namespace vispline
