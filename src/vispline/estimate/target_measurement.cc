@@ -22,6 +22,10 @@ class TargetRows final : public Measurement {
   TargetRows(std::string name, TargetFrame frame) : name_(std::move(name)), frame_(std::move(frame)) {}
 
   std::vector<std::string> sensors() const override { return {name_}; }
+  SensorScale scale_of(std::size_t /*sensor*/) const override { return {"px", frame_.sigma_px}; }
+  RowOrigin origin_of(Eigen::Index row) const override {
+    return {frame_.stamp, static_cast<int>(row % 2), px(row / 2)};
+  }
   Time time() const override { return frame_.stamp; }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
