@@ -32,6 +32,7 @@ void RigFlags::add_to(CLI::App& verb) {
       ->delimiter(',')
       ->check(CLI::IsMember({"course", "bag", "mcap", "rosbag2"}))
       ->needs(option);
+  verb.add_flag("--images", images, "render the images of the cameras, of a room or a board")->needs(option);
   const auto flag = [&](const char* name, auto& value, const CLI::Validator& range, const char* help) {
     verb.add_option(name, value, help)->check(range)->capture_default_str()->group(kFrontEnd)->needs(option);
   };
@@ -43,6 +44,9 @@ void RigFlags::add_to(CLI::App& verb) {
   flag("--dropout", features.dropout, between(0.0, 1.0), "probability that a feature is missing in an image");
   flag("--outliers", features.outliers, between(0.0, 1.0), "probability that a feature is displaced");
   flag("--outlier-px", features.outlier_px, not_negative(1e4), "by up to so much [px]");
+  flag("--image-gain", render.gain, positive(1e3), "of light and of read noise, in images");
+  flag("--image-noise", render.read_sigma_grey, not_negative(255.0), "of a pixel at gain 1 [grey levels]");
+  flag("--vignette", render.vignette, between(0.0, 1.0), "part of the light that is missing in the corners");
 }
 
 bool RigFlags::wants(const std::string& output) const { return std::ranges::find(with, output) != with.end(); }

@@ -8,6 +8,7 @@
 
 #include "vispline/io/rig_document.h"
 #include "vispline/simulate/feature_simulation.h"
+#include "vispline/simulate/render.h"
 
 namespace vispline::cli {
 
@@ -17,6 +18,7 @@ struct RigFlags {
   std::optional<std::size_t> landmarks;
   FeatureSimulation features;
   bool images = false;
+  RenderOptions render;
   std::vector<std::string> with;
 
   /// The verb's other flags that describe instruments exclude --rig.

@@ -18,6 +18,10 @@ std::string truth_name(const std::string& folder, const Imu& imu, bool is_refere
   return is_reference ? mav(folder, "state_groundtruth_estimate0/data.csv") : folder + "/truth/" + imu.name + ".csv";
 }
 
+std::string features_name(const std::string& folder, const Camera& camera, bool is_target) {
+  return folder + (is_target ? "/corners_" : "/tracks_") + camera.name + ".csv";
+}
+
 std::string truth_row(Time stamp, const Feature& feature, const FeatureTruth& truth) {
   std::string row;
   append_number(row, to_ns(stamp));
@@ -73,9 +77,9 @@ CameraOutput::CameraOutput(const std::string& folder, const Camera& camera, std:
       features_truth_(folder + "/truth/features_" + camera.name + ".csv", options),
       poses_truth_(folder + "/truth/poses_" + camera.name + ".csv", options) {
   if (target_points > 0) {
-    corners_ = std::make_unique<CornerTableWriter>(folder + "/corners_" + camera.name + ".csv", target_points, options);
+    corners_ = std::make_unique<CornerTableWriter>(features_name(folder, camera, true), target_points, options);
   } else {
-    tracks_ = std::make_unique<TrackCsvWriter>(folder + "/tracks_" + camera.name + ".csv", options);
+    tracks_ = std::make_unique<TrackCsvWriter>(features_name(folder, camera, false), options);
   }
   features_truth_.write("#timestamp [ns],id,landmark,u_exact [px],v_exact [px],line [s],outlier\n");
   poses_truth_.write(std::string(mocap::kHeader) + '\n');
@@ -97,6 +101,21 @@ void CameraOutput::publish() {
   if (tracks_) tracks_->publish();
   features_truth_.publish();
   poses_truth_.publish();
+}
+
+std::vector<std::string> rig_output_paths(const std::string& folder, const Rig& rig, const SceneSource& scene) {
+  std::vector<std::string> paths = {folder + "/landmarks.csv"};
+  for (std::size_t i = 0; i < rig.imus.size(); ++i) {
+    paths.push_back(mav(folder, rig.imus[i].name) + "/data.csv");
+    paths.push_back(truth_name(folder, rig.imus[i], i == 0));
+  }
+  for (const Camera& camera : rig.cameras) {
+    paths.push_back(mav(folder, camera.name) + "/data.csv");
+    paths.push_back(features_name(folder, camera, scene.target.has_value()));
+    paths.push_back(folder + "/truth/features_" + camera.name + ".csv");
+    paths.push_back(folder + "/truth/poses_" + camera.name + ".csv");
+  }
+  return paths;
 }
 
 std::vector<std::string> write_rig_files(const std::string& folder, const RigDocument& document,

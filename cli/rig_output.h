@@ -43,6 +43,9 @@ class CameraOutput {
   OutputFile features_truth_, poses_truth_;
 };
 
+/// The files of measurements and truth, in which a run could meet those of an older one.
+std::vector<std::string> rig_output_paths(const std::string& folder, const Rig& rig, const SceneSource& scene);
+
 /// landmarks.csv, target.yaml, kalibr/*.yaml; rig.yaml last: without it the set is not complete. Returns what the files
 /// of Kalibr cannot hold.
 std::vector<std::string> write_rig_files(const std::string& folder, const RigDocument& document,

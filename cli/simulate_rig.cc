@@ -1,103 +1,66 @@
 #include "simulate_rig.h"
 
 #include <iostream>
-#include <sstream>
+#include <memory>
 
-#include "course_output.h"
+#include "bag_output.h"
+#include "image_output.h"
+#include "rig_course.h"
 #include "rig_output.h"
-#include "vispline/core/parallel.h"
-#include "vispline/io/rig_file.h"
-#include "vispline/io/rig_presets.h"
 #include "vispline/results/table.h"
 
 namespace vispline::cli {
 namespace {
 
-/// An analytic motion goes on for so long behind the last stamp, so that time offsets and readouts lose no sample.
-constexpr double kTail_s = 1.0;
-
 struct Counts {
   std::size_t imu_samples = 0;
   std::size_t imu_outside = 0;
   FeatureCounts features{};
+  std::size_t images = 0;
+  std::size_t images_outside = 0;
 };
 
-struct Simulation {
-  RigDocument document{};
-  TrajectorySource source;
-  Time start{};
-  Duration duration{};
-  SceneSource scene{};
-};
+using Bags = std::vector<std::unique_ptr<BagOutput>>;
 
-RigDocument load_rig(const std::string& names, Session& session) {
-  if (auto preset = rig_preset(names)) return *preset;
-  std::vector<std::string> paths;
-  std::istringstream list(names);
-  for (std::string path; std::getline(list, path, ',');) paths.push_back(path);
-  ReadRig read = read_rig(paths);
-  session.add(read.diagnostics);
-  return {read.rig, read.g_w, read.estimate, read.clocks};
+Bags bag_outputs(const RigTask& task, const Rig& rig, OutputOptions options) {
+  Bags bags;
+  for (const char* name : {"bag", "mcap", "rosbag2"}) {
+    if (!task.flags.wants(name)) continue;
+    bags.push_back(std::make_unique<BagOutput>(name, task.out, rig, task.flags.images, options.force));
+  }
+  return bags;
 }
 
-TrajectorySource load_motion(TrajectoryFlags flags, const ReadFlags& read, Session& session) {
-  flags.duration_s = flags.duration_s.value_or(20.0) + kTail_s;
-  return load_trajectory(flags, read, session);
-}
-
-Simulation load(const RigTask& task, Session& session) {
-  Simulation all{.document = load_rig(task.flags.rig, session),
-                 .source = load_motion(task.trajectory, task.read, session)};
-  const TimeSpan span = all.source.trajectory.span();
-  all.start = task.trajectory.start_s ? Time{} + from_seconds(*task.trajectory.start_s) : span.begin;
-  const Duration rest =
-      all.source.fit ? Duration(span.end - all.start) : Duration(span.end - all.start) - from_seconds(kTail_s);
-  all.duration = task.trajectory.duration_s ? from_seconds(*task.trajectory.duration_s) : rest;
-  require(all.duration > Duration::zero(), "a start before the end of the trajectory");
-  all.scene = load_scene({.name = task.flags.scene,
-                          .trajectory = all.source.trajectory,
-                          .rig = all.document.rig,
-                          .span = {all.start, all.start + all.duration},
-                          .landmarks = task.flags.landmarks,
-                          .seed = task.seed},
-                         session);
-  return all;
-}
-
-std::size_t threads_of(const RigTask& task) { return task.threads == 0 ? hardware_threads() : task.threads; }
-
-Stamps imu_stamps(const Simulation& all, const Imu& imu) {
-  const Duration phase = from_seconds(clock_of(all.document.clocks, imu.name).phase_s);
-  require(phase < all.duration, "a duration longer than the phases of the sensors");
-  return Stamps({all.start + phase, imu.rate_hz}, all.duration - phase);
-}
-
-ImuSimulation imu_simulation(const RigTask& task, const Simulation& all, const Imu& imu) {
-  return {.imu = imu,
-          .g_w = all.document.g_w,
-          .seed = task.seed,
-          .threads = threads_of(task),
-          .outside = OutsideSpan::kSkip,
-          .clock_drift = clock_of(all.document.clocks, imu.name).drift,
-          .clock_start = all.start};
-}
-
-void write_imu(const RigTask& task, const Simulation& all, std::size_t index, OutputOptions options, Counts& counts) {
+void write_imu(const RigTask& task, const RigInputs& all, std::size_t index, OutputOptions options, Bags& bags,
+               Counts& counts) {
   const Imu& imu = all.document.rig.imus[index];
   const Stamps stamps = imu_stamps(all, imu);
   const ImuSimulation simulation = imu_simulation(task, all, imu);
-  const OutputGuard guard;
   ImuOutput output(task.out, imu, index == 0, options);
   Progress progress(imu.name, stamps.size());
   counts.imu_outside += simulate_imu(all.source.trajectory, simulation, stamps, [&](const SimulatedImu& block) {
     output.write(block);
+    for (const auto& bag : bags) bag->write(index, block);
     counts.imu_samples += block.measured.size();
     progress.add(block.measured.size());
   });
   output.publish();
 }
 
-void write_cameras(const RigTask& task, const Simulation& all, OutputOptions options, Counts& counts) {
+/// One for each camera; none without --images.
+std::vector<ImageOutput> image_outputs(const RigTask& task, const RigInputs& all, OutputOptions options) {
+  std::vector<ImageOutput> outputs;
+  if (!task.flags.images) return outputs;
+  RenderOptions render = task.flags.render;
+  render.seed = task.seed;
+  render.threads = threads_of(task);
+  for (const Camera& camera : all.document.rig.cameras) {
+    outputs.emplace_back(task.out, all.scene.scene, camera, render, options);
+  }
+  return outputs;
+}
+
+void write_cameras(const RigTask& task, const RigInputs& all, OutputOptions options, Bags& bags, Counts& counts) {
   const Rig& rig = all.document.rig;
   if (rig.cameras.empty()) return;
   FeatureSimulation simulation = task.flags.features;
@@ -106,49 +69,29 @@ void write_cameras(const RigTask& task, const Simulation& all, OutputOptions opt
   simulation.seed = task.seed;
   simulation.threads = threads_of(task);
   const std::size_t target_points = all.scene.target ? all.scene.scene.landmarks.size() : 0;
-  const OutputGuard guard;
   std::vector<CameraOutput> outputs;
   for (const Camera& camera : rig.cameras) outputs.emplace_back(task.out, camera, target_points, options);
+  std::vector<ImageOutput> images = image_outputs(task, all, options);
   Progress progress("images", CameraFrames(rig.cameras, simulation.clocks, all.start, all.duration).size());
-  counts.features = simulate_features(all.source.trajectory, rig, all.scene.scene, all.start, all.duration, simulation,
-                                      [&](const SimulatedFrame& frame) {
-                                        outputs[frame.instant.camera].write(frame);
-                                        progress.add(1);
-                                      });
+  const auto take = [&](const SimulatedFrame& frame) {
+    const std::size_t camera = frame.instant.camera;
+    outputs[camera].write(frame);
+    if (task.flags.images) {
+      const auto image = images[camera].write(all.source.trajectory, frame.instant);
+      for (const auto& bag : bags) {
+        if (image) bag->write(camera, frame.instant.stamp, *image);
+      }
+      counts.images += image.has_value();
+    }
+    progress.add(1);
+  };
+  counts.features =
+      simulate_features(all.source.trajectory, rig, all.scene.scene, all.start, all.duration, simulation, take);
   for (CameraOutput& output : outputs) output.publish();
-}
-
-std::string camera_notes(const Camera& camera) {
-  std::string text = "Camera: T_b_c, row by row:";
-  const Pose T_b_c = camera.T_c_b.inverse();
-  for (int row = 0; row < 3; ++row) {
-    text += " [" + number_text(T_b_c.R(row, 0), 9) + " " + number_text(T_b_c.R(row, 1), 9) + " " +
-            number_text(T_b_c.R(row, 2), 9) + " " + number_text(T_b_c.p[row], 9) + "]";
+  for (ImageOutput& output : images) {
+    output.publish();
+    counts.images_outside += output.outside();
   }
-  return text + ".\nNothing is cut at the image border. Lens and noise: rig.yaml.\n";
-}
-
-/// The first IMU and the first camera of the rig in the course's files.
-void write_course_of(const RigTask& task, const Simulation& all, OutputOptions options) {
-  const Rig& rig = all.document.rig;
-  require(!rig.imus.empty() && !rig.cameras.empty(), "an IMU and a camera for the course's files");
-  const Camera& camera = rig.cameras[0];
-  require(camera.shutter.line_delay_s == 0.0, "a global shutter for the course's files");
-  const Stamps stamps = imu_stamps(all, rig.imus[0]);
-  CourseTask course{.trajectory = all.source.trajectory,
-                    .imu = imu_simulation(task, all, rig.imus[0]),
-                    .stamps = stamps,
-                    .T_b_c = camera.T_c_b.inverse(),
-                    .folder = task.out + "/course",
-                    .points_w = {},
-                    .camera_notes = camera_notes(camera)};
-  if (task.flags.scene != "house") course.segments_w.clear();
-  for (const SceneLandmark& landmark : all.scene.scene.landmarks) course.points_w.push_back(landmark.point_w);
-  CameraFrames frames({camera}, all.document.clocks, all.start, all.duration);
-  while (const auto frame = frames.next()) {
-    course.images.push_back(frame->stamp + from_seconds(frame->clock_delay_s + camera.time_offset_s));
-  }
-  write_course(course, options);
 }
 
 void warn(Session& session, std::size_t count, const char* code, const std::string& what, const std::string& effect) {
@@ -156,31 +99,42 @@ void warn(Session& session, std::size_t count, const char* code, const std::stri
   session.add({.code = code, .message = std::to_string(count) + what, .where = "", .effect = effect, .next = ""});
 }
 
-void print_summary(const RigTask& task, const Simulation& all, const Counts& counts, const Session& session) {
+void print_summary(const RigTask& task, const RigInputs& all, const Counts& counts, const Session& session) {
   const Rig& rig = all.document.rig;
   if (session.json) {
-    JsonObject document = begin_document("vispline.simulate/1", session.context);
-    document.set("format", std::string("rig"))
-        .set("imus", static_cast<std::int64_t>(rig.imus.size()))
+    JsonObject document = begin_document("vispline.simulate_rig/1", session.context);
+    document.set("imus", static_cast<std::int64_t>(rig.imus.size()))
         .set("samples", static_cast<std::int64_t>(counts.imu_samples))
         .set("cameras", static_cast<std::int64_t>(rig.cameras.size()))
-        .set("images", static_cast<std::int64_t>(counts.features.frames))
+        .set("frames", static_cast<std::int64_t>(counts.features.frames))
+        .set("images", static_cast<std::int64_t>(counts.images))
         .set("features", static_cast<std::int64_t>(counts.features.features))
         .set("displaced_features", static_cast<std::int64_t>(counts.features.outliers))
         .set("landmarks", static_cast<std::int64_t>(all.scene.scene.landmarks.size()))
         .set("begin_s", to_seconds(all.start - Time{}))
         .set("end_s", to_seconds(all.start + all.duration - Time{}))
         .set("seed", static_cast<std::int64_t>(task.seed));
-    if (all.source.fit) document.set("fit", fit_json(*all.source.fit));
     end_document(document, session.context);
     std::cout << document.text();
     return;
   }
   if (all.source.fit) std::cout << fit_text(*all.source.fit);
   std::cout << counts.imu_samples << " samples of " << rig.imus.size() << " IMUs, " << counts.features.frames
-            << " images of " << rig.cameras.size() << " cameras with " << counts.features.features << " features of "
+            << " frames of " << rig.cameras.size() << " cameras with " << counts.features.features << " features of "
             << all.scene.scene.landmarks.size() << " landmarks over " << number_text(to_seconds(all.duration), 9)
             << " s written to " << task.out << "\n";
+}
+
+/// Proves before anything is written that all of it can be.
+void probe_outputs(const RigTask& task, const RigInputs& all, OutputOptions options) {
+  if (task.flags.images) require_surfaces(all.scene.scene);
+  if (task.flags.wants("course")) require_course(all.document.rig);
+  std::vector<std::string> paths = rig_output_paths(task.out, all.document.rig, all.scene);
+  if (task.flags.wants("course")) paths.push_back(task.out + "/course/README.txt");
+  for (const char* name : {"bag", "mcap"}) {
+    if (task.flags.wants(name)) paths.push_back(bag_path(name, task.out));
+  }
+  for (const std::string& path : paths) probe_output(path, 0, options);
 }
 
 }  // namespace
@@ -188,17 +142,21 @@ void print_summary(const RigTask& task, const Simulation& all, const Counts& cou
 void simulate_rig(const RigTask& task, Session& session) {
   const OutputOptions options = output_options(session);
   probe_output(task.out + "/rig.yaml", 0, options);
-  const Simulation all = load(task, session);
+  const RigInputs all = load_inputs(task, session);
+  probe_outputs(task, all, options);
   Counts counts;
-  for (std::size_t i = 0; i < all.document.rig.imus.size(); ++i) write_imu(task, all, i, options, counts);
-  write_cameras(task, all, options, counts);
-  if (task.flags.wants("course")) write_course_of(task, all, options);
   const OutputGuard guard;
+  Bags bags = bag_outputs(task, all.document.rig, options);
+  for (std::size_t i = 0; i < all.document.rig.imus.size(); ++i) write_imu(task, all, i, options, bags, counts);
+  write_cameras(task, all, options, bags, counts);
+  for (const auto& bag : bags) bag->publish();
+  if (task.flags.wants("course")) write_rig_course(task, all, options);
   for (const std::string& note : write_rig_files(task.out, all.document, all.scene, options)) {
     session.add({.code = "W-KALIBR", .message = note, .where = task.out + "/kalibr", .effect = "", .next = ""});
   }
   warn(session, counts.imu_outside, "W-SPAN", " IMU samples lie outside the trajectory", "they are left out");
-  warn(session, counts.features.frames_outside, "W-SPAN", " images lie outside the trajectory", "they are left out");
+  warn(session, counts.features.frames_outside, "W-SPAN", " frames lie outside the trajectory", "they are left out");
+  warn(session, counts.images_outside, "W-SPAN", " images are exposed outside the trajectory", "they are not rendered");
   warn(session, counts.features.unsolved, "W-SHUTTER", " times a landmark moved along with the reading of its lines",
        "it is left out of that image");
   session.finish();

@@ -135,6 +135,16 @@ void warn(CalibrationResult& result) {
                               .next = "knots closer together, or a model with what it lacks: a bias walk, a lens"});
     }
   }
+  for (const SensorResiduals& r : result.residuals) {
+    const double ratio = r.rig_sigma > 0.0 ? r.sigma / r.rig_sigma : 1.0;
+    if (ratio > 1.0 / kMostNormalised && ratio < kMostNormalised) continue;
+    result.diagnostics.add({.code = "W-NOISE",
+                            .message = r.sensor + ": noise of " + text(r.sigma) + " " + r.unit + ", " + text(ratio) +
+                                       " times what the rig says",
+                            .where = "",
+                            .effect = "the one of the recording was used",
+                            .next = "measure the noise of the still sensor: vispline allan"});
+  }
   if (result.curvature_low < kLeastCurvature || result.curvature_high > kMostCurvature) {
     result.diagnostics.add({.code = "W-CURVATURE",
                             .message = "half a sigma away the cost rises " + text(result.curvature_low) + " to " +
@@ -158,7 +168,7 @@ CalibrationResult assess(const Problem& problem, const Solution& solution, const
     const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
     const int n = solution.columns.layout.columns - solution.columns.layout.first_parameter;
     full_rank |= solution.status == SolveStatus::kFailed && equations.covariance(n).has_value();
-    result.residuals = residual_statistics(problem, solution, equations);
+    result.residuals = residual_statistics(problem, solution, options.threads);
     result.weak = full_rank ? weak_directions(solution) : null_directions(solution, equations);
     if (options.check_gradient) {
       const GradientCheck check = check_gradient(problem, solution, equations, options.threads);

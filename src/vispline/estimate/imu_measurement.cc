@@ -13,11 +13,12 @@ struct ImuLocal {
   std::size_t first_node = 0;
 
   ImuLocal(const ImuColumns& global, const GravityColumns& gravity, Rows& rows)
-      : c{rows.append(global.translation, 3),        rows.append(global.rotation, 3),
-          rows.append(global.time_offset, 1),        rows.append(global.gyro_bias, 3),
-          rows.append(global.gyro_scale, 3),         rows.append(global.gyro_misalignment, 6),
-          rows.append(global.gyro_g_sensitivity, 9), rows.append(global.accel_bias, 3),
-          rows.append(global.accel_scale, 3),        rows.append(global.accel_misalignment, 6)},
+      : c{rows.append(global.translation, 3), rows.append(global.rotation, 3),
+          rows.append(global.time_offset, 1), rows.append(global.gyro_bias, 3),
+          rows.append(global.gyro_scale, 3),  rows.append(global.gyro_lower, 3),
+          rows.append(global.gyro_upper, 3),  rows.append(global.gyro_g_sensitivity, 9),
+          rows.append(global.accel_bias, 3),  rows.append(global.accel_scale, 3),
+          rows.append(global.accel_lower, 3), rows.append(global.accel_upper, 3)},
         gravity_direction(rows.append(gravity.direction, 2)),
         gravity_magnitude(rows.append(gravity.magnitude, 1)) {}
 };
@@ -135,6 +136,16 @@ class ImuRows final : public Measurement {
     put(local.gravity_magnitude, (l.d_g_w * state.g_w.normalized()).eval());
   }
 
+  template <class Sensor>
+  static void misalignment(const Linearization<3, Sensor::kParams>& l, Eigen::Index row, int lower, int upper,
+                           Rows& rows) {
+    const auto d = part<Sensor>(l, "misalignment");
+    for (int k = 0; k < 3; ++k) {
+      if (lower >= 0) rows.J.block<3, 1>(row, lower + k) = d.col(kLower[static_cast<std::size_t>(k)]);
+      if (upper >= 0) rows.J.block<3, 1>(row, upper + k) = d.col(kUpper[static_cast<std::size_t>(k)]);
+    }
+  }
+
   BodyJacobian<3> gyroscope(const BodyState& body, const BodyTangent& rate, const State& state, const Imu& imu,
                             Eigen::Index i, const ImuLocal& local, Vector6d& predicted, Rows& rows) const {
     const auto l = Gyroscope::linearize(body, rate, imu.gyroscope, state.g_w);
@@ -147,7 +158,7 @@ class ImuRows final : public Measurement {
     };
     put(local.c.gyro_bias, "bias");
     put(local.c.gyro_scale, "scale");
-    put(local.c.gyro_misalignment, "misalignment");
+    misalignment<Gyroscope>(l, 6 * i, local.c.gyro_lower, local.c.gyro_upper, rows);
     put(local.c.gyro_g_sensitivity, "g_sensitivity");
     return l.d_state;
   }
@@ -164,7 +175,7 @@ class ImuRows final : public Measurement {
     };
     put(local.c.accel_bias, "bias");
     put(local.c.accel_scale, "scale");
-    put(local.c.accel_misalignment, "misalignment");
+    misalignment<Accelerometer>(l, 6 * i + 3, local.c.accel_lower, local.c.accel_upper, rows);
     return l.d_state;
   }
 

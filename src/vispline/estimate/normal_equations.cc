@@ -135,6 +135,14 @@ std::optional<Step> NormalEquations::step(double lambda) const {
   return step;
 }
 
+std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) const {
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd X(B.rows(), B.cols());
+  for (Eigen::Index c = 0; c < B.cols(); ++c) X.col(c) = reduced.H.solve(B.col(c));
+  return X;
+}
+
 std::vector<Vector3d> NormalEquations::landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta,
                                                     bool gradient) const {
   const int n = problem_.track_model.size();

@@ -31,6 +31,8 @@ class NormalEquations {
   std::size_t lost() const { return lost_; }
   /// Damped by lambda times the diagonal; empty if the matrix is not positive definite.
   std::optional<Step> step(double lambda) const;
+  /// H^-1 B for the columns of the system, the landmarks eliminated; empty if H is not positive definite.
+  std::optional<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B) const;
   /// Covariance of the last n columns; empty if the information matrix does not have full rank: not positive definite,
   /// or a variance that has grown beyond what double can tell from infinity.
   std::optional<Eigen::MatrixXd> covariance(int n) const;

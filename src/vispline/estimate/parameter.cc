@@ -30,6 +30,23 @@ Parameter vector_parameter(std::string name, std::string unit, int size, const N
           [of](const State& from, const State& to) { return Eigen::VectorXd(first_of(of, to) - first_of(of, from)); }};
 }
 
+/// Three of the six numbers that `of` gives.
+Parameter part_parameter(std::string name, const std::array<int, 3>& index,
+                         const std::function<Vector6d&(State&)>& of) {
+  const auto part = [of, index](const State& s) {
+    return Eigen::VectorXd(of(const_cast<State&>(s))(std::vector<int>(index.begin(), index.end())));
+  };
+  return {std::move(name),
+          "1",
+          3,
+          {Role::kFixed},
+          part,
+          [of, index](State& s, const Eigen::VectorXd& d) {
+            for (int i = 0; i < 3; ++i) of(s)(index[static_cast<std::size_t>(i)]) += d(i);
+          },
+          [part](const State& from, const State& to) { return Eigen::VectorXd(part(to) - part(from)); }};
+}
+
 Parameter translation_parameter(const std::string& name, const PosesOf& of) {
   return vector_parameter(name + ".translation", "m", 3, [of](State& s) {
     std::vector<Numbers> numbers;
@@ -104,11 +121,17 @@ void add_imu(std::vector<Parameter>& all, const State& state, std::size_t i) {
   };
   add(".gyroscope.bias", "rad/s", 3, [](Imu& imu) { return imu.gyroscope.bias.data(); });
   add(".gyroscope.scale", "1", 3, [](Imu& imu) { return imu.gyroscope.scale.data(); });
-  add(".gyroscope.misalignment", "1", 6, [](Imu& imu) { return imu.gyroscope.misalignment.data(); });
+  for (const auto& [part, index] : {std::pair{"lower", kLower}, std::pair{"upper", kUpper}}) {
+    all.push_back(part_parameter(name + ".gyroscope.misalignment." + part, index,
+                                 [i](State& s) -> Vector6d& { return s.rig.imus[i].gyroscope.misalignment; }));
+  }
   add(".gyroscope.g_sensitivity", "(rad/s)/(m/s^2)", 9, [](Imu& imu) { return imu.gyroscope.g_sensitivity.data(); });
   add(".accelerometer.bias", "m/s^2", 3, [](Imu& imu) { return imu.accelerometer.bias.data(); });
   add(".accelerometer.scale", "1", 3, [](Imu& imu) { return imu.accelerometer.scale.data(); });
-  add(".accelerometer.misalignment", "1", 6, [](Imu& imu) { return imu.accelerometer.misalignment.data(); });
+  for (const auto& [part, index] : {std::pair{"lower", kLower}, std::pair{"upper", kUpper}}) {
+    all.push_back(part_parameter(name + ".accelerometer.misalignment." + part, index,
+                                 [i](State& s) -> Vector6d& { return s.rig.imus[i].accelerometer.misalignment; }));
+  }
 }
 
 void add_camera(std::vector<Parameter>& all, const State& state, std::size_t c) {
@@ -188,8 +211,10 @@ ParameterColumns columns_of(const State& state, const std::vector<Parameter>& pa
   for (const Imu& imu : state.rig.imus) {
     const std::string g = imu.name + ".gyroscope.", a = imu.name + ".accelerometer.";
     columns.imus.push_back({of(imu.name + ".T_b_i.translation"), of(imu.name + ".T_b_i.rotation"),
-                            of(imu.name + ".time_offset"), of(g + "bias"), of(g + "scale"), of(g + "misalignment"),
-                            of(g + "g_sensitivity"), of(a + "bias"), of(a + "scale"), of(a + "misalignment")});
+                            of(imu.name + ".time_offset"), of(g + "bias"), of(g + "scale"),
+                            of(g + "misalignment.lower"), of(g + "misalignment.upper"), of(g + "g_sensitivity"),
+                            of(a + "bias"), of(a + "scale"), of(a + "misalignment.lower"),
+                            of(a + "misalignment.upper")});
   }
   for (const Camera& camera : state.rig.cameras) {
     columns.cameras.push_back({of(camera.name + ".T_c_b.translation"), of(camera.name + ".T_c_b.rotation"),

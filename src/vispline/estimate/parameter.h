@@ -2,6 +2,7 @@
 /// docs/math/estimate.md, Parameters.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -43,10 +44,14 @@ std::vector<Parameter*> find_parameters(std::vector<Parameter>& parameters, cons
 struct CameraColumns {
   int translation = -1, rotation = -1, intrinsics = -1, time_offset = -1, line_delay = -1;
 };
+/// Of the misalignments (xy, xz, yx, yz, zx, zy), sensors/triad.h, those below and those above the diagonal: with all
+/// six of a triad and its rotation free, the rotation would be there twice.
+inline constexpr std::array<int, 3> kLower{2, 4, 5}, kUpper{0, 1, 3};
+
 struct ImuColumns {
   int translation = -1, rotation = -1, time_offset = -1;
-  int gyro_bias = -1, gyro_scale = -1, gyro_misalignment = -1, gyro_g_sensitivity = -1;
-  int accel_bias = -1, accel_scale = -1, accel_misalignment = -1;
+  int gyro_bias = -1, gyro_scale = -1, gyro_lower = -1, gyro_upper = -1, gyro_g_sensitivity = -1;
+  int accel_bias = -1, accel_scale = -1, accel_lower = -1, accel_upper = -1;
 };
 struct ReferenceColumns {
   int world_translation = -1, world_rotation = -1, translation = -1, rotation = -1, time_offset = -1;

@@ -26,11 +26,13 @@ constexpr Limits kLimits[] = {
     {".time_offset", kOffsetLimit_s, "change speed and rate of turn: a steady motion looks the same at any offset"},
     {".gyroscope.bias", 5e-3, "record longer, or with some rest"},
     {".gyroscope.scale", 0.02, "turn faster about @, both ways"},
-    {".gyroscope.misalignment", 0.02, "turn faster, about one axis after the other"},
+    {".gyroscope.misalignment.lower", 0.02, "turn faster, about one axis after the other"},
+    {".gyroscope.misalignment.upper", 0.02, "turn faster, about one axis after the other"},
     {".gyroscope.g_sensitivity", 1e-3, "shake along all axes while the sensor hardly turns"},
     {".accelerometer.bias", 0.2, "tilt the sensor: gravity must be seen along other axes than @"},
     {".accelerometer.scale", 0.02, "hold @ up, then down"},
-    {".accelerometer.misalignment", 0.02, "hold the sensor up and down along every axis"},
+    {".accelerometer.misalignment.lower", 0.02, "hold the sensor up and down along every axis"},
+    {".accelerometer.misalignment.upper", 0.02, "hold the sensor up and down along every axis"},
     {"gravity.direction", 0.01, "tilt the sensor: direction of gravity and accelerometer bias are one otherwise"},
     {"gravity.magnitude", 0.1, "tilt the sensor through all directions"},
 };
@@ -49,12 +51,14 @@ std::string filled(std::string_view words, std::size_t axis) {
 }
 
 std::string component_name(const Parameter& parameter, int k) {
-  static constexpr std::array<const char*, 6> kPairs{"xy", "xz", "yx", "yz", "zx", "zy"};
+  static constexpr std::array<const char*, 3> kBelow{"yx", "zx", "zy"}, kAbove{"xy", "xz", "yz"};
   static constexpr std::array<const char*, 9> kEntries{"xx", "yx", "zx", "xy", "yy", "zy", "xz", "yz", "zz"};
   const auto i = static_cast<std::size_t>(k);
   if (parameter.size == 1) return "";
   if (parameter.size == 2) return "tilt " + std::to_string(k + 1);
-  return parameter.size == 3 ? kAxis[i] : parameter.size == 6 ? kPairs[i] : kEntries[i];
+  if (parameter.size == 9) return kEntries[i];
+  if (parameter.name.ends_with(".lower")) return kBelow[i];
+  return parameter.name.ends_with(".upper") ? kAbove[i] : kAxis[i];
 }
 
 const Camera& camera_of(const Parameter& parameter, const State& state) {

@@ -127,14 +127,26 @@ SensorResiduals statistics(const std::string& name, Collected& collected, double
   return out;
 }
 
+/// What the rig says, before sigmas were found from residuals.
+std::map<std::string, double> sigmas_of(const Rig& rig) {
+  std::map<std::string, double> sigma;
+  for (const Imu& imu : rig.imus) {
+    sigma[imu.name + ".gyroscope"] = imu.noise.gyro.white * std::sqrt(imu.rate_hz);
+    sigma[imu.name + ".accelerometer"] = imu.noise.accel.white * std::sqrt(imu.rate_hz);
+  }
+  for (const Camera& camera : rig.cameras) sigma[camera.name] = camera.pixel_sigma_px;
+  return sigma;
+}
+
 }  // namespace
 
 std::vector<SensorResiduals> residual_statistics(const Problem& problem, const Solution& solution,
-                                                 const NormalEquations& equations) {
+                                                 std::size_t threads) {
   Collector collector;
   for (const auto& m : problem.measurements) collector.measurement(*m, solution.state, solution.columns);
   for (const Track& track : problem.tracks) collector.track(track, problem.track_model, solution.state);
-  const std::map<std::string, double> absorbed = absorbed_by_sensor(problem, solution, equations);
+  const std::map<std::string, double> absorbed = absorbed_by_sensor(problem, solution, threads);
+  const std::map<std::string, double> rig_sigma = sigmas_of(problem.start.rig);
   std::vector<SensorResiduals> all;
   for (const std::string& name : collector.names()) {
     const auto at = absorbed.find(name);

@@ -2,8 +2,10 @@
 #include "vispline/io/rig_file.h"
 
 #include "vispline/calibration/rig_files.h"
+#include "vispline/io/euroc_folder.h"
 #include "vispline/io/io_testing.h"
 #include "vispline/io/rig_convert.h"
+#include "vispline/io/rig_presets.h"
 
 namespace vispline {
 namespace {
@@ -229,6 +231,35 @@ TEST(RigFile, TwoSensorsOfOneName) {
   const ScratchFolder folder;
   const std::string path = folder.write("a.yaml", "vispline_rig: 1\nimus:\n  imu0:\n    rate_hz: 100.0\n");
   EXPECT_THROW(read_rig({path, path}), Error);
+}
+
+TEST(RigFile, PresetsReadBack) {
+  const ScratchFolder folder;
+  ASSERT_EQ(rig_preset_names().size(), 4U);
+  for (const std::string& name : rig_preset_names()) {
+    const RigDocument preset = *rig_preset(name);
+    const std::string path = folder.path(name + ".yaml");
+    write_rig(path, preset);
+    const ReadRig read = read_rig({path});
+    ASSERT_EQ(read.rig.cameras.size(), preset.rig.cameras.size());
+    for (std::size_t i = 0; i < read.rig.cameras.size(); ++i) {
+      expect_same_camera(read.rig.cameras[i], preset.rig.cameras[i]);
+      const Camera& camera = read.rig.cameras[i];
+      const auto ahead_c = camera.lens.unproject(Vector2d(camera.resolution_px[0], camera.resolution_px[1]) / 2.0);
+      const double ahead = (camera.T_c_b.inverse().R * ahead_c.value()).x();
+      EXPECT_GT(name == "course" ? -ahead : ahead, 0.95) << name;
+    }
+  }
+  EXPECT_FALSE(rig_preset("no such rig").has_value());
+}
+
+TEST(RigFile, SensorYamlOfEurocIsRead) {
+  const ScratchFolder folder;
+  const Imu imu = rig_preset("euroc-stereo")->rig.imus[0];
+  const ReadRig read = read_rig({folder.write("sensor.yaml", euroc_folder::imu_yaml(imu))});
+  ASSERT_EQ(read.rig.imus.size(), 1U);
+  expect_same_noise(read.rig.imus[0].noise.gyro, {.white = imu.noise.gyro.white, .walk = imu.noise.gyro.walk});
+  expect_same_noise(read.rig.imus[0].noise.accel, {.white = imu.noise.accel.white, .walk = imu.noise.accel.walk});
 }
 
 TEST(RigFile, Recorded) {

@@ -2,6 +2,8 @@
 
 #include "vispline/core/error.h"
 #include "vispline/io/euroc_imu.h"
+#include "vispline/io/gyroflow.h"
+#include "vispline/io/kitti.h"
 #include "vispline/io/mocap.h"
 #include "vispline/io/tum.h"
 
@@ -58,6 +60,15 @@ void write_trajectory_tum(const std::string& path, const Signal<Pose>& T_w_b, Ou
 
 void write_trajectory_euroc(const std::string& path, const Signal<Pose>& T_w_b, OutputOptions options) {
   write_file(path, mocap::text(T_w_b), options);
+}
+
+void write_trajectory_kitti(const std::string& path, const Signal<Pose>& T_w_b, OutputOptions options) {
+  write_file(path, kitti::text(T_w_b), options);
+}
+
+void write_imu_gcsv(const std::string& path, const ImuSignal& imu, std::optional<double> readout_s,
+                    OutputOptions options) {
+  write_file(path, gyroflow::text(imu, readout_s), options);
 }
 
 void write_groundtruth_euroc(const std::string& path, const Signal<GroundTruth>& states, OutputOptions options) {

@@ -42,7 +42,7 @@ JsonObject to_json(const EstimatedParameter& parameter) {
 JsonObject to_json(const SensorResiduals& r) {
   JsonObject object;
   object.set("sensor", r.sensor).set("count", r.count).set("rms", r.rms).set("unit", r.unit);
-  object.set("chi2_per_dof", r.chi2_per_dof).set("dof", r.dof).set("sigma", r.sigma);
+  object.set("chi2_per_dof", r.chi2_per_dof).set("dof", r.dof).set("sigma", r.sigma).set("rig_sigma", r.rig_sigma);
   object.set("lag1", r.lag1).set("lag1_band", std::vector<double>{r.lag1_low, r.lag1_high});
   return object.set("outliers", r.outliers).set("lost", r.lost);
 }

@@ -43,7 +43,8 @@ struct SensorResiduals {
   std::string sensor{};     ///< "imu0.gyroscope", "cam0"
   std::string unit{};       ///< of rms and sigma
   std::int64_t count = 0;   ///< numbers: three for a triad, two for a pixel
-  double sigma = 0.0;       ///< of one number, as it was assumed
+  double sigma = 0.0;       ///< of one number, as the solver assumed
+  double rig_sigma = 0.0;   ///< as the rig says; 0 if it says nothing
   double rms = 0.0;         ///< in the unit
   double dof = 0.0;         ///< count less what the unknowns absorbed
   double chi2_per_dof = 0;  ///< 1 if sigma is right and the model too; robust weights counted

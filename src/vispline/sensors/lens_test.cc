@@ -99,6 +99,58 @@ INSTANTIATE_TEST_SUITE_P(Models, LensLaw, ::testing::ValuesIn(kLensModels), [](c
   return name;
 });
 
+/// By Kalibr's and OpenCV's formulas in 40-digit arithmetic, for the parameters of typical_lens().
+TEST(Lens, IndependentNumbers) {
+  struct Row {
+    LensModel model;
+    std::array<double, 2> ahead, oblique, behind;  ///< px; {} where the lens has no image
+  };
+  const Row rows[] = {
+      {LensModel::kPinhole, {412.0, 178.533333333333333}, {-242.222222222222222, 598.555555555555556}, {}},
+      {LensModel::kPinholeRadtan,
+       {457.46276228811522, 188.393389741684835},
+       {-42.6771859816574157, 508.639735758225875},
+       {}},
+      {LensModel::kPinholeEquidistant,
+       {292.4228088521018, 231.903115147949198},
+       {98.8193590983196013, 356.238170561014774},
+       {521.67676788604614, 423.608740130086612}},
+      {LensModel::kPinholeFov,
+       {368.638624335133895, 207.433268923432088},
+       {117.0256776256908, 369.727066908797619},
+       {}},
+      {LensModel::kOmni,
+       {391.47852060090179, 203.90502445166387},
+       {65.4087662301230605, 413.825242977531177},
+       {818.537041255662253, 551.149879186881679}},
+      {LensModel::kOmniRadtan,
+       {400.231005810208129, 198.132315027173736},
+       {35.3798111110914209, 432.746927887728887},
+       {850.622726027041971, 571.130624694201257}},
+      {LensModel::kDoubleSphere,
+       {359.249754777729654, 213.66995616993969},
+       {157.306237201456214, 344.179471973840254},
+       {596.176509960918234, 413.689133217608733}},
+      {LensModel::kExtendedUnified,
+       {372.956148090530201, 204.56514535176868},
+       {102.314632270248076, 379.040115347925724},
+       {686.396415200166596, 469.845899350104508}},
+  };
+  for (const Row& row : rows) {
+    const Lens lens = typical_lens(row.model);
+    const auto expect = [&](const Vector3d& point_c, const std::array<double, 2>& expected) {
+      const auto px = lens.project(point_c);
+      ASSERT_EQ(px.has_value(), expected[0] != 0.0) << lens_name(row.model);
+      if (!px) return;
+      EXPECT_LE((*px - Vector2d(expected[0], expected[1])).norm(), 1e-11) << lens_name(row.model);
+      EXPECT_LE((lens.unproject({expected[0], expected[1]}).value() - point_c.normalized()).norm(), 1e-13);
+    };
+    expect({0.3, -0.2, 1.5}, row.ahead);
+    expect({-1.1, 0.7, 0.9}, row.oblique);
+    expect({0.8, 0.5, -0.1}, row.behind);
+  }
+}
+
 TEST(Radtan, BeyondTheMonotonicRadiusThereIsNoPixel) {
   // 1 + 3 k1 q + 5 k2 q^2 = 0 at q = (1.2 - sqrt(1.04)) / 0.4 with k1 = -0.4, k2 = 0.04.
   const double limit = std::sqrt((1.2 - std::sqrt(1.44 - 0.8)) / 0.4);

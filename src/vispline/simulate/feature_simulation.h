@@ -31,7 +31,7 @@ struct FeatureSimulation {
 struct FeatureTruth {
   std::uint64_t landmark = 0;            ///< id in the scene
   Vector2d exact_px = Vector2d::Zero();  ///< without noise
-  double line_delay_s = 0.0;             ///< s on the body's clock from the instant of the stamp to that of the line
+  double line_s = 0.0;                   ///< from the exposure of the first line to that of this feature
   bool is_outlier = false;
 };
 

@@ -9,6 +9,7 @@
 #include "vispline/core/error.h"
 #include "vispline/core/so3.h"
 #include "vispline/simulate/random_cloud.h"
+#include "vispline/simulate/rig_simulation.h"
 #include "vispline/trajectory/analytic.h"
 
 namespace vispline {
@@ -217,6 +218,25 @@ TEST(FeatureSimulation, ImagesOutsideTheTrajectoryAreCounted) {
   EXPECT_THROW(simulate_features(Trajectory(kShaken), rig, cloud(), kStart + 20 * kSecond, kSecond, all_features(),
                                  [](const auto&) {}),
                Error);
+}
+
+TEST(FeatureSimulation, ARecordingHoldsAllSensors) {
+  Rig rig = rolling_rig();
+  rig.imus = {{.name = "imu0"}, {.name = "imu1", .rate_hz = 100.0}};
+  RigSimulation options{.seed = 2,
+                        .clocks = {{"imu1", {.phase_s = 0.003, .drift = 5e-5}}, {"cam1", {.phase_s = 0.02}}}};
+  const Time start = kStart + kSecond;
+  const Recording recording = simulate(Trajectory(kShaken), rig, cloud(), start, kSecond, options);
+  EXPECT_EQ(recording.imus.at("imu0").size(), 200U);
+  EXPECT_EQ(recording.imus.at("imu1").size(), 100U);
+  EXPECT_EQ(recording.imus.at("imu1").time[0], start + from_seconds(0.003));
+  EXPECT_EQ(recording.features.at("cam0").size(), 24U);
+  EXPECT_EQ(recording.features.at("cam1").size(), 10U);
+  const Time last = recording.imus.at("imu1").time[99];
+  const Time body_time = last + from_seconds(5e-5 * to_seconds(last - start));
+  const Vector3d expected =
+      Gyroscope::predict<double>(kShaken.at(body_time), rig.imus[1].gyroscope, Vector3d(0.0, 0.0, -9.81));
+  EXPECT_EQ(recording.imus.at("imu1").value[99].gyro, expected);
 }
 
 }  // namespace

@@ -10,20 +10,11 @@
 namespace vispline {
 namespace {
 
-/// A landmark that may be followed: its place among the visible ones, and what decides who goes first.
-struct Candidate {
-  std::size_t visible = 0;
-  std::uint64_t first_frame = 0;  ///< of a track
-  double strength = 0.0;          ///< of a corner
-};
-
 std::vector<TrackedLandmark> all_of(std::span<const VisibleLandmark> visible) {
   std::vector<TrackedLandmark> tracked;
   for (std::size_t i = 0; i < visible.size(); ++i) tracked.push_back({i, visible[i].id});
   return tracked;
 }
-
-void sort_by_id(std::vector<TrackedLandmark>& tracked) { std::ranges::sort(tracked, {}, &TrackedLandmark::id); }
 
 }  // namespace
 
@@ -57,43 +48,48 @@ void FeatureTracker::release(std::size_t index) {
   if (--held->second.cameras == 0) held_.erase(held);
 }
 
+FeatureTracker::Candidates FeatureTracker::candidates(std::size_t camera, std::uint64_t frame,
+                                                      std::span<const VisibleLandmark> visible) const {
+  Candidates found;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    const std::size_t index = visible[i].index;
+    const auto track = tracks_[camera].find(index);
+    if (track == tracks_[camera].end()) {
+      found.fresh.push_back({.visible = i, .strength = strength_.uniform_pair(index)[0]});
+    } else if (survives(camera, frame, track->second, index)) {
+      found.old.push_back({.visible = i, .first_frame = track->second.first_frame});
+    }
+  }
+  std::ranges::stable_sort(found.old, {}, &Candidate::first_frame);
+  std::ranges::stable_sort(found.fresh, std::ranges::greater{}, &Candidate::strength);
+  return found;
+}
+
 std::vector<TrackedLandmark> FeatureTracker::track(std::size_t camera, std::uint64_t frame,
                                                    std::span<const VisibleLandmark> visible) {
   if (options_.is_target) return all_of(visible);
+  const Candidates found = candidates(camera, frame, visible);
   const Tracks before = std::exchange(tracks_[camera], {});
-  std::vector<Candidate> old, fresh;
-  for (std::size_t i = 0; i < visible.size(); ++i) {
-    const std::size_t index = visible[i].index;
-    const auto found = before.find(index);
-    if (found == before.end()) {
-      fresh.push_back({.visible = i, .strength = strength_.uniform_pair(index)[0]});
-    } else if (survives(camera, frame, found->second, index)) {
-      old.push_back({.visible = i, .first_frame = found->second.first_frame});
-    }
-  }
-  std::ranges::stable_sort(old, {}, &Candidate::first_frame);
-  std::ranges::stable_sort(fresh, std::ranges::greater{}, &Candidate::strength);
-
-  PixelGrid grid(options_.min_distance_px);
   Tracks& now = tracks_[camera];
+  PixelGrid grid(options_.min_distance_px);
   std::vector<TrackedLandmark> tracked;
-  for (const Candidate& candidate : old) {
-    const VisibleLandmark& landmark = visible[candidate.visible];
-    if (!grid.add(landmark.px)) continue;
-    now[landmark.index] = before.at(landmark.index);
-    tracked.push_back({candidate.visible, now[landmark.index].id});
+  const auto follow = [&](const Candidate& candidate, const Track& track) {
+    now[visible[candidate.visible].index] = track;
+    tracked.push_back({candidate.visible, track.id});
+  };
+  for (const Candidate& old : found.old) {
+    const VisibleLandmark& landmark = visible[old.visible];
+    if (grid.add(landmark.px)) follow(old, before.at(landmark.index));
   }
   for (const auto& [index, track] : before) {
     if (!now.contains(index)) release(index);
   }
-  for (const Candidate& candidate : fresh) {
+  for (const Candidate& fresh : found.fresh) {
     if (tracked.size() >= options_.max_features) break;
-    const VisibleLandmark& landmark = visible[candidate.visible];
-    if (!grid.add(landmark.px)) continue;
-    now[landmark.index] = {take(landmark.index), frame};
-    tracked.push_back({candidate.visible, now[landmark.index].id});
+    const VisibleLandmark& landmark = visible[fresh.visible];
+    if (grid.add(landmark.px)) follow(fresh, {take(landmark.index), frame});
   }
-  sort_by_id(tracked);
+  std::ranges::sort(tracked, {}, &TrackedLandmark::id);
   return tracked;
 }
 

@@ -57,8 +57,19 @@ class FeatureTracker {
     std::uint64_t id = 0;
     int cameras = 0;  ///< that follow the landmark
   };
+  /// A landmark that may be followed: its place among the visible ones, and what decides who goes first.
+  struct Candidate {
+    std::size_t visible = 0;
+    std::uint64_t first_frame = 0;  ///< of a track
+    double strength = 0.0;          ///< of a corner
+  };
+  struct Candidates {
+    std::vector<Candidate> old;    ///< tracks that go on, the oldest first
+    std::vector<Candidate> fresh;  ///< not followed yet, the strongest first
+  };
   using Tracks = std::map<std::size_t, Track>;  ///< by the index of the landmark
 
+  Candidates candidates(std::size_t camera, std::uint64_t frame, std::span<const VisibleLandmark> visible) const;
   bool survives(std::size_t camera, std::uint64_t frame, const Track& track, std::size_t index) const;
   std::uint64_t take(std::size_t index);
   void release(std::size_t index);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -25,15 +26,15 @@ std::vector<VisibleLandmark> drifting(double frame) {
   return visible;
 }
 
-struct Run {
+struct Followed {
   std::vector<std::vector<VisibleLandmark>> visible;
   std::vector<std::vector<TrackedLandmark>> tracked;
   const VisibleLandmark& of(std::size_t frame, const TrackedLandmark& t) const { return visible[frame][t.visible]; }
 };
 
-Run run(const TrackOptions& options, std::size_t frames = 120) {
+Followed follow(const TrackOptions& options, std::size_t frames = 120) {
   FeatureTracker tracker(options, 5, {"cam0"}, kLandmarks);
-  Run result;
+  Followed result;
   for (std::size_t k = 0; k < frames; ++k) {
     result.visible.push_back(drifting(static_cast<double>(k)));
     result.tracked.push_back(tracker.track(0, k, result.visible.back()));
@@ -42,7 +43,7 @@ Run run(const TrackOptions& options, std::size_t frames = 120) {
 }
 
 TEST(FeatureTracker, BudgetAndDistanceHold) {
-  const Run result = run({.max_features = 60, .min_distance_px = 30.0});
+  const Followed result = follow({.max_features = 60, .min_distance_px = 30.0});
   for (std::size_t k = 0; k < result.tracked.size(); ++k) {
     const auto& tracked = result.tracked[k];
     EXPECT_LE(tracked.size(), 60U);
@@ -56,7 +57,7 @@ TEST(FeatureTracker, BudgetAndDistanceHold) {
 }
 
 TEST(FeatureTracker, AnIdIsOneLandmarkWithoutAGap) {
-  const Run result = run({.max_features = 80, .min_distance_px = 15.0, .loss = 0.05});
+  const Followed result = follow({.max_features = 80, .min_distance_px = 15.0, .loss = 0.05});
   std::map<std::uint64_t, std::size_t> landmark, last;
   std::set<std::size_t> seen;
   std::size_t returned = 0;
@@ -78,7 +79,7 @@ TEST(FeatureTracker, AnIdIsOneLandmarkWithoutAGap) {
 
 TEST(FeatureTracker, TracksEndAtTheRateThatIsAsked) {
   const double loss = 0.1;
-  const Run result = run({.max_features = kLandmarks, .min_distance_px = 0.0, .loss = loss}, 200);
+  const Followed result = follow({.max_features = kLandmarks, .min_distance_px = 0.0, .loss = loss}, 200);
   std::size_t chances = 0, ends = 0;
   for (std::size_t k = 1; k < result.tracked.size(); ++k) {
     std::map<std::size_t, std::uint64_t> now;
@@ -97,7 +98,7 @@ TEST(FeatureTracker, TracksEndAtTheRateThatIsAsked) {
 }
 
 TEST(FeatureTracker, NoTrackIsLongerThanAllowed) {
-  const Run result = run({.max_features = 50, .loss = 0.0, .max_frames = 7});
+  const Followed result = follow({.max_features = 50, .loss = 0.0, .max_frames = 7});
   std::map<std::uint64_t, int> length;
   for (const auto& tracked : result.tracked) {
     for (const TrackedLandmark& t : tracked) EXPECT_LE(++length[t.id], 7);

@@ -1,7 +1,9 @@
 #include "vispline/simulate/render.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,16 +84,18 @@ struct Renderer::Parts {
     return 1.0 - options.vignette * (px.cast<double>() - half).squaredNorm() / std::max(half.squaredNorm(), 1.0);
   }
 
+  /// Light to bytes; two neighbours share one draw of noise.
   void develop(const std::vector<double>& grey, const RandomStream& noise, int line, GreyImage& image) const {
+    const auto pairs_of_line = static_cast<std::uint64_t>(rays.places() + 1) / 2;
+    std::array<double, 2> normals{};
     for (int place = 0; place < rays.places(); ++place) {
+      const auto pair = static_cast<std::uint64_t>(line) * pairs_of_line + static_cast<std::uint64_t>(place) / 2;
+      if (place % 2 == 0 && options.read_sigma_grey > 0.0) normals = noise.normal_pair(pair);
       if (!rays.ray(line, place).sees()) continue;
       const Eigen::Vector2i px = rays.pixel(line, place);
-      const auto index = static_cast<std::uint64_t>(line) * static_cast<std::uint64_t>(rays.places()) +
-                         static_cast<std::uint64_t>(place);
-      double value = grey[static_cast<std::size_t>(place)];
-      if (options.vignette > 0.0) value *= light(px);
-      if (options.read_sigma_grey > 0.0) value += options.read_sigma_grey * noise.normal(index);
-      image.at(px.x(), px.y()) = static_cast<std::uint8_t>(std::clamp(options.gain * value + 0.5, 0.0, 255.0));
+      const double lit = grey[static_cast<std::size_t>(place)] * light(px);
+      const double read = options.gain * (lit + options.read_sigma_grey * normals[static_cast<std::size_t>(place % 2)]);
+      image.at(px.x(), px.y()) = static_cast<std::uint8_t>(std::clamp(read + 0.5, 0.0, 255.0));
     }
   }
 };

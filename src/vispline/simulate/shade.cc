@@ -1,7 +1,7 @@
 #include "vispline/simulate/shade.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "vispline/simulate/texture.h"
 
@@ -44,12 +44,23 @@ struct Footprint {
         h_x(v.to_picture * ray.d_x.cast<double>()),
         h_y(v.to_picture * ray.d_y.cast<double>()) {}
   Vector3d at(double dx, double dy) const { return h + dx * h_x + dy * h_y; }
-  /// Half sizes of the box that holds a square of `size` px around the point with `h_at`.
-  Vector2d half_box(const Vector3d& h_at, double size) const {
-    const double s = 1.0 / h_at[2], half = 0.5 * size * s;
-    const double x = h_at[0] * s, y = h_at[1] * s;
-    return {half * (std::abs(h_x[0] - x * h_x[2]) + std::abs(h_y[0] - x * h_y[2])),
-            half * (std::abs(h_x[1] - y * h_x[2]) + std::abs(h_y[1] - y * h_y[2]))};
+  /// Half sizes of the box around a square of `size` px at the point with `h_at`.
+  Vector2d bounding_box(const Vector3d& h_at, double size) const {
+    const auto [right, down] = steps(h_at, 0.5 * size);
+    return right.cwiseAbs() + down.cwiseAbs();
+  }
+  /// Half sizes of the box that blurs as much along x and y as the square does: of equal variance.
+  Vector2d equal_box(const Vector3d& h_at, double size) const {
+    const auto [right, down] = steps(h_at, 0.5 * size);
+    return (right.cwiseAbs2() + down.cwiseAbs2()).cwiseSqrt();
+  }
+
+ private:
+  /// How far a step of `size` px to the right and down goes on the picture.
+  std::array<Vector2d, 2> steps(const Vector3d& h_at, double size) const {
+    const double s = 1.0 / h_at[2], x = h_at[0] * s, y = h_at[1] * s, scale = size * s;
+    return {Vector2d(h_x[0] - x * h_x[2], h_x[1] - y * h_x[2]) * scale,
+            Vector2d(h_y[0] - x * h_y[2], h_y[1] - y * h_y[2]) * scale};
   }
 };
 
@@ -63,16 +74,21 @@ double mean_of_subpixels(int n, const Work& work) {
   return sum / (n * n);
 }
 
-/// A pixel that sees one surface only.
+/// A pixel that sees one surface only. Rays beside each other matter where cells have sharp edges.
 double shade_inside(const Footprint& foot, int n) {
   if (foot.view->picture == nullptr) return kPlainGrey;
   const Texture& picture = *foot.view->picture;
-  const double s = 1.0 / foot.h[2];
-  const Vector2d half = foot.half_box(foot.h, 1.0);
-  if (const auto flat = picture.flat(foot.h[0] * s, foot.h[1] * s, half.x(), half.y())) return *flat;
+  const double x = foot.h[0] / foot.h[2], y = foot.h[1] / foot.h[2];
+  if (picture.is_smooth()) {
+    const Vector2d half = foot.equal_box(foot.h, 1.0);
+    return picture.mean(x, y, half.x(), half.y());
+  }
+  const Vector2d bound = foot.bounding_box(foot.h, 1.0);
+  if (const auto flat = picture.flat(x, y, bound.x(), bound.y())) return *flat;
+  const Vector2d half = foot.equal_box(foot.h, 1.0 / n);
   return mean_of_subpixels(n, [&](double dx, double dy) {
     const Vector3d h = foot.at(dx, dy);
-    return picture.mean(h[0] / h[2], h[1] / h[2], half.x() / n, half.y() / n);
+    return picture.mean(h[0] / h[2], h[1] / h[2], half.x(), half.y());
   });
 }
 
@@ -90,7 +106,7 @@ double shade_edge(std::span<const Footprint> feet, const Shading& shading) {
     }
     if (nearest == nullptr) return shading.background_grey;
     if (nearest->view->picture == nullptr) return kPlainGrey;
-    const Vector2d half = nearest->half_box(h_nearest, 1.0 / n);
+    const Vector2d half = nearest->equal_box(h_nearest, 1.0 / n);
     return nearest->view->picture->mean(h_nearest[0] / h_nearest[2], h_nearest[1] / h_nearest[2], half.x(), half.y());
   });
 }

@@ -27,14 +27,11 @@ class ShutterView {
 
  private:
   /// State of the body when the line of a pixel with that delay (Camera::delay_s) is exposed.
-  BodyState body_at(double delay_s) const {
-    return state_after(trajectory_, instant_.stamp, instant_.clock_delay_s + delay_s).value();
-  }
+  std::optional<BodyState> body_at(double delay_s) const;
 
   const Trajectory& trajectory_;
   const Camera& camera_;
   const FrameInstant& instant_;
-  double first_s_, last_s_;  ///< delays of the lines before the first and behind the last
 };
 
 }  // namespace vispline

@@ -51,7 +51,7 @@ Texture::Range Texture::Axis::range(double centre, double half) const {
 }
 
 Texture::Texture(std::vector<double> x_edges, std::vector<double> y_edges, std::vector<float> grey, CellEdges edges)
-    : x_(std::move(x_edges), edges), y_(std::move(y_edges), edges), grey_(std::move(grey)) {
+    : kind_(edges), x_(std::move(x_edges), edges), y_(std::move(y_edges), edges), grey_(std::move(grey)) {
   const auto cols = static_cast<std::size_t>(x_.cells()), rows = static_cast<std::size_t>(y_.cells());
   require(grey_.size() == cols * rows, "one grey a cell");
   require(std::ranges::all_of(grey_, [](float g) { return g >= 0.0f && g <= 255.0f; }), "greys from 0 to 255");

@@ -23,6 +23,7 @@ class Texture {
   /// Equal cells.
   static Texture grid(int cols, int rows, std::vector<float> grey, CellEdges edges);
 
+  bool is_smooth() const { return kind_ == CellEdges::kSmooth; }
   /// Mean grey over the box of half sizes `half_x`, `half_y` around (x, y). A box that reaches over the rim is moved
   /// inside.
   double mean(double x, double y, double half_x, double half_y) const;
@@ -59,6 +60,7 @@ class Texture {
   double grey(int cx, int cy) const { return grey_[static_cast<std::size_t>(cy * x_.cells() + cx)]; }
   double integral(int cx, double x, int cy, double y) const;
 
+  CellEdges kind_;
   Axis x_, y_;
   std::vector<float> grey_;
   std::vector<double> integral_;  ///< of grey from (0, 0) to each crossing of edges

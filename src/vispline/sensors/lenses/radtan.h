@@ -1,8 +1,9 @@
 /// The radial-tangential distortion of Brown with two and two terms, as Kalibr and OpenCV have it. docs/math/camera.md
 /// (11)
 ///   d = m (1 + k1 q + k2 q^2) + (2 p1 x y + p2 (q + 2 x^2), p1 (q + 2 y^2) + 2 p2 x y),   m = (x, y), q = |m|^2
-/// Domain: the largest disc on which the symmetric Jacobian is positive definite in its worst direction, radius below
-/// the first root of 1 - 6 |p| r + 3 k1 r^2 + 5 k2 r^4. On a convex set that makes the map one to one.
+/// Domain: the largest disc on which the Jacobian, which is symmetric, is surely positive definite: of radius below the
+/// first root of 1 - 6 |p| r + 3 k1 r^2 + 5 k2 r^4 and of 1 - 6 |p| r + k1 r^2 + k2 r^4. On a convex set that makes the
+/// map one to one.
 #pragma once
 
 #include <cmath>
@@ -51,7 +52,8 @@ struct Radtan {
     using std::sqrt;
     const T p2 = k[2] * k[2] + k[3] * k[3];
     const T p = p2 > T(0) ? T(sqrt(p2)) : T(0), r = q > T(0) ? T(sqrt(q)) : q;
-    return positive_on<T>({T(1), T(-6) * p, T(3) * k[0], T(0), T(5) * k[1]}, r);
+    return positive_on<T>({T(1), T(-6) * p, T(3) * k[0], T(0), T(5) * k[1]}, r) &&
+           positive_on<T>({T(1), T(-6) * p, k[0], T(0), k[1]}, r);
   }
 };
 
