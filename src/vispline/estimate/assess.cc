@@ -162,7 +162,7 @@ CalibrationResult assess(const Problem& problem, const Solution& solution, const
   result.first_cost = solution.first_cost;
   result.cost = solution.cost;
   result.iterations = static_cast<int>(solution.iterations.size());
-  report_parameters(problem, solution, options.truth, result);
+  report_parameters(options.start ? *options.start : problem.start, solution, options.truth, result);
   bool full_rank = solution.full_rank;
   if (std::isfinite(solution.cost)) {
     const NormalEquations equations(problem, solution.state, solution.columns, options.threads);

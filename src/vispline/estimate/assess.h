@@ -10,6 +10,7 @@ namespace vispline {
 
 struct AssessOptions {
   std::size_t threads = 1;                      ///< does not change a byte of the result
+  const State* start = nullptr;                 ///< what the user began with; null: the start of the problem
   const State* truth = nullptr;                 ///< rig, gravity and references, where somebody knows them
   std::optional<double> time_offset_bound_s{};  ///< a larger change of an offset counts as lost
   bool check_gradient = true;                   ///< two evaluations of the cost for each parameter

@@ -25,8 +25,8 @@ std::string whole_unit(const std::vector<ComponentKind>& kinds) {
 
 class Reporter {
  public:
-  Reporter(const Problem& problem, const Solution& solution, const State* truth)
-      : problem_(problem), solution_(solution), truth_(truth) {}
+  Reporter(const State& start, const Solution& solution, const State* truth)
+      : start_(start), solution_(solution), truth_(truth) {}
 
   EstimatedParameter report(const Parameter& parameter) const {
     const std::vector<ComponentKind> kinds = component_kinds(parameter, solution_.state);
@@ -34,7 +34,7 @@ class Reporter {
     out.name = reported_name(parameter.name, solution_.state);
     out.unit = whole_unit(kinds);
     if (parameter.treatment.role == Role::kPrior) out.prior_sigma = parameter.treatment.sigma;
-    const Eigen::VectorXd value = parameter.value(solution_.state), start = parameter.value(problem_.start);
+    const Eigen::VectorXd value = parameter.value(solution_.state), start = parameter.value(start_);
     const Eigen::MatrixXd B = value_by_perturbation(parameter, solution_.state);
     const Eigen::VectorXd sigma = sigma_of(parameter, B);
     for (Eigen::Index k = 0; k < value.size(); ++k) {
@@ -66,18 +66,14 @@ class Reporter {
     }
   }
 
-  const Problem& problem_;
+  const State& start_;
   const Solution& solution_;
   const State* truth_;
 };
 
 void report_correlation(const Solution& solution, CalibrationResult& result) {
-  for (const Parameter& parameter : solution.parameters) {
-    if (parameter.column < 0) continue;
-    const std::string name = reported_name(parameter.name, solution.state);
-    for (const ComponentKind& kind : component_kinds(parameter, solution.state)) {
-      result.correlation_labels.push_back(kind.name.empty() ? name : name + " " + kind.name);
-    }
+  for (const NamedComponent& component : named_components(solution.parameters, solution.state)) {
+    result.correlation_labels.push_back(component.label());
   }
   if (solution.covariance.size() == 0) return;
   const Eigen::VectorXd scale = solution.covariance.diagonal().cwiseSqrt().cwiseInverse();
@@ -90,9 +86,8 @@ void report_correlation(const Solution& solution, CalibrationResult& result) {
 
 }  // namespace
 
-void report_parameters(const Problem& problem, const Solution& solution, const State* truth,
-                       CalibrationResult& result) {
-  const Reporter reporter(problem, solution, truth);
+void report_parameters(const State& start, const Solution& solution, const State* truth, CalibrationResult& result) {
+  const Reporter reporter(start, solution, truth);
   for (const Parameter& parameter : solution.parameters) {
     if (parameter.column < 0) {
       result.fixed.push_back(reported_name(parameter.name, solution.state));

@@ -7,6 +7,6 @@
 namespace vispline {
 
 /// Fills parameters, fixed, correlation_labels, correlation and condition. `truth` may be null.
-void report_parameters(const Problem& problem, const Solution& solution, const State* truth, CalibrationResult& result);
+void report_parameters(const State& start, const Solution& solution, const State* truth, CalibrationResult& result);
 
 }  // namespace vispline

@@ -68,6 +68,8 @@ class Measurement {
   virtual std::size_t sensor_of(Eigen::Index /*row*/) const { return 0; }
   virtual SensorScale scale_of(std::size_t /*sensor*/) const { return {}; }
   virtual RowOrigin origin_of(Eigen::Index /*row*/) const { return {time()}; }
+  /// Rows that hold what nothing measures; no noise is behind them.
+  virtual bool only_holds() const { return false; }
   /// When the rows were measured, on the clock of the sensor: orders residuals in time.
   virtual Time time() const = 0;
   virtual void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const = 0;

@@ -11,24 +11,10 @@
 namespace vispline {
 namespace {
 
-struct Component {
-  std::string parameter;
-  int index = 0;  ///< in the parameter
-  int size = 1;
-  ComponentKind kind;
-};
+using Component = NamedComponent;
 
 std::vector<Component> components_of(const Solution& solution) {
-  std::vector<Component> all;
-  for (const Parameter& parameter : solution.parameters) {
-    if (parameter.column < 0) continue;
-    const std::vector<ComponentKind> kinds = component_kinds(parameter, solution.state);
-    const std::string name = reported_name(parameter.name, solution.state);
-    for (int k = 0; k < parameter.size; ++k) {
-      all.push_back({name, k, parameter.size, kinds[static_cast<std::size_t>(k)]});
-    }
-  }
-  return all;
+  return named_components(solution.parameters, solution.state);
 }
 
 Eigen::VectorXd limits_of(const std::vector<Component>& components) {
@@ -36,8 +22,6 @@ Eigen::VectorXd limits_of(const std::vector<Component>& components) {
   for (Eigen::Index i = 0; i < limits.size(); ++i) limits(i) = components[static_cast<std::size_t>(i)].kind.limit;
   return limits;
 }
-
-std::string label(const Component& c) { return c.kind.name.empty() ? c.parameter : c.parameter + " " + c.kind.name; }
 
 std::string amount(double si, const Component& c) {
   const PeopleUnit unit = people_unit(c.kind.unit, c.parameter);
@@ -53,7 +37,7 @@ std::pair<std::string, std::string> words_of(const std::vector<Component>& compo
   block.cwiseAbs().maxCoeff(&main);
   const Component& largest = components[static_cast<std::size_t>(begin + main)];
   if (first.size == 1) return {first.parameter, ": " + amount(block(0), first)};
-  if (first.size != 3) return {label(largest), ": " + amount(block(main), largest)};
+  if (first.size != 3) return {largest.label(), ": " + amount(block(main), largest)};
   const Eigen::VectorXd u = block.normalized();
   const char* how = first.parameter.ends_with("rotation") ? " about " : " along ";
   std::string axis = largest.kind.name;
@@ -80,7 +64,7 @@ WeakDirection direction(const std::vector<Component>& components, const Eigen::V
     }
     for (Eigen::Index i = begin; i < begin + size; ++i) {
       if (share(i) < kNamed * weak.sigma_limits) continue;
-      weak.part.emplace_back(label(components[static_cast<std::size_t>(i)]), part(i));
+      weak.part.emplace_back(components[static_cast<std::size_t>(i)].label(), part(i));
     }
     begin += size;
   }

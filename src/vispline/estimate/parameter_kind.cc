@@ -105,6 +105,18 @@ std::vector<ComponentKind> component_kinds(const Parameter& parameter, const Sta
   return kinds;
 }
 
+std::vector<NamedComponent> named_components(const std::vector<Parameter>& parameters, const State& state) {
+  std::vector<NamedComponent> all;
+  for (const Parameter& parameter : parameters) {
+    if (parameter.column < 0) continue;
+    const std::vector<ComponentKind> kinds = component_kinds(parameter, state);
+    for (int k = 0; k < parameter.size; ++k) {
+      all.push_back({reported_name(parameter.name, state), k, parameter.size, kinds[static_cast<std::size_t>(k)]});
+    }
+  }
+  return all;
+}
+
 std::string reported_name(const std::string& name, const State& state) {
   const std::size_t at = name.find(".T_c_b");
   if (at == std::string::npos || state.rig.imus.empty()) return name;

@@ -20,6 +20,18 @@ struct ComponentKind {
 /// One for each column of the parameter.
 std::vector<ComponentKind> component_kinds(const Parameter& parameter, const State& state);
 
+/// One number that is estimated, by its place in the covariance.
+struct NamedComponent {
+  std::string parameter{};  ///< reported_name()
+  int index = 0;            ///< in the parameter
+  int size = 1;             ///< of the parameter
+  ComponentKind kind{};
+
+  /// "cam0.T_c_i.rotation x".
+  std::string label() const { return kind.name.empty() ? parameter : parameter + " " + kind.name; }
+};
+std::vector<NamedComponent> named_components(const std::vector<Parameter>& parameters, const State& state);
+
 /// Names for people: of the poses of cameras, "T_c_b" is "T_c_i" when the body is the reference IMU.
 std::string reported_name(const std::string& name, const State& state);
 

@@ -94,6 +94,7 @@ class GaugeRows final : public Measurement {
   explicit GaugeRows(const Gauge& gauge) : gauge_(gauge) {}
 
   std::vector<std::string> sensors() const override { return {"gauge"}; }
+  bool only_holds() const override { return true; }
   Time time() const override { return gauge_.time; }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {

@@ -60,6 +60,27 @@ JsonObject to_json(const InitialisationStage& stage) {
   return object.set("unit", stage.unit).set("words", stage.words);
 }
 
+JsonObject to_json(const ComponentSpread& c) {
+  JsonObject object;
+  return object.set("name", c.label).set("unit", c.unit).set("sigma", c.sigma).set("spread", c.spread);
+}
+
+JsonObject to_json(const Jackknife& jackknife) {
+  JsonObject object;
+  std::vector<JsonObject> components;
+  for (const ComponentSpread& c : jackknife.components) components.push_back(to_json(c));
+  return object.set("blocks", jackknife.blocks).set("failed", jackknife.failed).set("numbers", components);
+}
+
+JsonObject to_json(const Twin& twin) {
+  JsonObject object;
+  std::vector<JsonObject> components;
+  for (const ComponentSpread& c : twin.components) components.push_back(to_json(c).set("coverage", c.coverage));
+  object.set("runs", twin.runs).set("failed", twin.failed).set("states", twin.states).set("nees", twin.nees);
+  object.set("nees_band", std::vector<double>{twin.nees_low, twin.nees_high}).set("consistent", twin.consistent());
+  return object.set("coverage", twin.coverage).set("numbers", components);
+}
+
 JsonObject correlation(const CalibrationResult& result) {
   std::vector<std::vector<double>> rows;
   for (Eigen::Index i = 0; i < result.correlation.rows(); ++i) {
@@ -97,6 +118,8 @@ std::string calibration_json(const CalibrationResult& result, const JsonContext&
     truth.set("rmse_m", result.trajectory->position_m.rmse).set("max_m", result.trajectory->position_m.max);
     document.set("ate", truth.set("rotation_rmse_deg", result.trajectory->rotation_rmse_deg));
   }
+  if (result.jackknife) document.set("jackknife", to_json(*result.jackknife));
+  if (result.twin) document.set("twin", to_json(*result.twin));
   document.set("first_cost", result.first_cost).set("cost", result.cost).set("iterations", result.iterations);
   for (const auto& [stage, seconds] : result.cpu_s) cpu.set(stage, seconds);
   document.set("cpu_s", cpu);

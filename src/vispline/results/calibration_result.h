@@ -11,6 +11,7 @@
 #include "vispline/core/error.h"
 #include "vispline/core/types.h"
 #include "vispline/results/result_class.h"
+#include "vispline/results/sigma_checks.h"
 #include "vispline/results/trajectory_metrics.h"
 
 namespace vispline {
@@ -103,6 +104,8 @@ struct CalibrationResult {
   int iterations = 0;
   std::vector<std::pair<std::string, double>> cpu_s{};  ///< by stage, in order
   std::optional<TrajectoryComparison> trajectory{};     ///< with the truth, where somebody knows it
+  std::optional<Jackknife> jackknife{};
+  std::optional<Twin> twin{};
   Diagnostics diagnostics{};
 };
 

@@ -80,6 +80,35 @@ std::string stage_table(const CalibrationResult& result) {
   return table.text();
 }
 
+/// Sigmas beside those of the jack-knife and of the twin.
+std::string spread_table(const CalibrationResult& result) {
+  const auto& components = result.jackknife ? result.jackknife->components : result.twin->components;
+  std::vector<Table::Column> columns{{"parameter", Table::Align::kLeft}, {"sigma"}};
+  if (result.jackknife) columns.push_back({"jack-knife"});
+  if (result.twin) columns.insert(columns.end(), {{"twin"}, {"in 95 %"}});
+  columns.push_back({"unit", Table::Align::kLeft});
+  Table table(columns);
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const PeopleUnit unit = people_unit(components[i].unit, components[i].label);
+    std::vector<std::string> cells{components[i].label, number_text(unit.factor * components[i].sigma, kSigmaDigits)};
+    if (result.jackknife) cells.push_back(number_text(unit.factor * components[i].spread, kSigmaDigits));
+    if (result.twin) {
+      const ComponentSpread& c = result.twin->components[i];
+      cells.push_back(number_text(unit.factor * c.spread, kSigmaDigits));
+      cells.push_back(number_text(100.0 * c.coverage, 3) + " %");
+    }
+    cells.push_back(unit.name);
+    table.add_row(cells);
+  }
+  return table.text();
+}
+
+std::string twin_line(const Twin& twin) {
+  return "twin: NEES " + number_text(twin.nees, 3) + " over " + std::to_string(twin.runs) + " runs, right sigmas give " +
+         number_text(twin.nees_low, 3) + " to " + number_text(twin.nees_high, 3) + "; 95 % intervals hold " +
+         number_text(100.0 * twin.coverage, 3) + " %; " + std::to_string(twin.failed) + " runs failed\n";
+}
+
 }  // namespace
 
 std::string calibration_text(const CalibrationResult& result) {
@@ -92,6 +121,8 @@ std::string calibration_text(const CalibrationResult& result) {
   for (const WeakDirection& weak : result.weak) {
     text += (weak.measured ? "weak: " : "not measured: ") + weak.words + "; to mend it, " + weak.remedy + "\n";
   }
+  if (result.jackknife || result.twin) text += "\n" + spread_table(result);
+  if (result.twin) text += twin_line(*result.twin);
   if (result.trajectory) {
     text += "\ntrajectory against the truth: " + number_text(1e3 * result.trajectory->position_m.rmse, 4) +
             " mm rms, " + number_text(result.trajectory->rotation_rmse_deg, 3) + " deg rms over " +
