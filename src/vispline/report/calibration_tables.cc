@@ -68,8 +68,9 @@ Table parameter_table(const CalibrationResult& result) {
 }
 
 Table residual_table(const CalibrationResult& result) {
-  Table table{.caption = "Residuals at the solution. χ²/dof is 1 if sigma and model are right; lag 1 is the correlation "
-                         "of consecutive residuals, and white ones stay within the band",
+  Table table{.caption =
+                  "Residuals at the solution. χ²/dof is 1 if sigma and model are right; lag 1 is the correlation "
+                  "of consecutive residuals, and white ones stay within the band",
               .columns = {text("sensor"), number("count"), number("rms"), number("sigma"), text("unit"),
                           number("χ²/dof"), number("lag 1", 2), text("band"), number("beyond 4σ"), number("lost")}};
   for (const SensorResiduals& r : result.residuals) {
@@ -90,8 +91,7 @@ Table stage_table(const CalibrationResult& result) {
 }
 
 Table weak_table(const CalibrationResult& result) {
-  Table table{.caption = "",
-              .columns = {text("direction"), number("sigma over limit"), text("what to record")}};
+  Table table{.caption = "", .columns = {text("direction"), number("sigma over limit"), text("what to record")}};
   for (const WeakDirection& weak : result.weak) {
     table.rows.push_back({joined({weak.measured ? "" : "not measured: ", weak.words}),
                           weak.measured ? weak.sigma_limits : kNone, weak.remedy});

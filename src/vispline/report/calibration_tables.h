@@ -6,7 +6,8 @@
 
 namespace vispline::report {
 
-/// Start, value, sigma and, where it is known, truth and error in sigmas. Numbers that are not observable have no value.
+/// Start, value, sigma and, where it is known, truth and error in sigmas. Numbers that are not observable have no
+/// value.
 Table parameter_table(const CalibrationResult& result);
 Table residual_table(const CalibrationResult& result);
 Table stage_table(const CalibrationResult& result);

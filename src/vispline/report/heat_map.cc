@@ -96,10 +96,9 @@ void draw_row(const HeatMap& map, const Grid& grid, std::size_t row, Markup& svg
                       {"height", grid.cell - 0.5},
                       {"fill", colour_of(value, map)}});
     const std::string_view across = map.row_labels.size() == grid.columns ? std::string_view(map.row_labels[c]) : "";
-    svg.element("title", map.row_labels.empty()
-                             ? joined({significant(value, 3), map.unit.empty() ? "" : " ", map.unit})
-                             : joined({map.row_labels[row], across.empty() ? "" : " · ", across, ": ",
-                                       significant(value, 3)}));
+    svg.element("title", map.row_labels.empty() ? joined({significant(value, 3), map.unit.empty() ? "" : " ", map.unit})
+                                                : joined({map.row_labels[row], across.empty() ? "" : " · ", across,
+                                                          ": ", significant(value, 3)}));
     svg.close();
   }
   svg.newline();
