@@ -44,7 +44,7 @@ struct Rows {
   void allocate_jacobian() { J.setZero(r.size(), static_cast<Eigen::Index>(column.size())); }
 };
 
-/// Readings of one sensor over a short time. Immutable; any thread may evaluate it.
+/// Readings of one sensor over a short time. Any thread may evaluate it.
 class Measurement {
  public:
   virtual ~Measurement() = default;
@@ -54,6 +54,8 @@ class Measurement {
   virtual std::size_t sensor_of(Eigen::Index /*row*/) const { return 0; }
   /// When the rows were measured, on the clock of the sensor: orders residuals in time.
   virtual Time time() const = 0;
+  /// Fixes what weighs the rows by the state it depends on, until the next call: line_whitening() of a rolling shutter.
+  virtual void whiten(const State& /*state*/) {}
   virtual void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const = 0;
 };
 
