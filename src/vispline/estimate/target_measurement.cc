@@ -23,6 +23,10 @@ class TargetRows final : public Measurement {
       : name_(std::move(name)), frame_(std::move(frame)), whitening_(frame_.px.size(), Eigen::Matrix2d::Identity()) {}
 
   std::vector<std::string> sensors() const override { return {name_}; }
+  SensorScale scale_of(std::size_t /*sensor*/) const override { return {"px", frame_.sigma_px}; }
+  RowOrigin origin_of(Eigen::Index row) const override {
+    return {frame_.stamp, static_cast<int>(row % 2), px(row / 2)};
+  }
   Time time() const override { return frame_.stamp; }
 
   void whiten(const State& state) override {
