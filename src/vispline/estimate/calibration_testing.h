@@ -28,7 +28,7 @@ struct SmallCalibration {
   State truth;
   std::vector<Time> imu_time;
   std::vector<ImuSample> imu_sample;
-  Problem problem;
+  mutable Problem problem;  ///< solving fixes its weights
 
   explicit SmallCalibration(const Options& options) : options_(options) {
     make_truth();

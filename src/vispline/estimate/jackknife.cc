@@ -101,7 +101,7 @@ Jackknife jackknife(const Problem& problem, const Solution& solution, const Jack
     const auto edge = [&](std::size_t i) {
       return span.begin + Duration(all.count() / options.blocks * static_cast<std::int64_t>(i));
     };
-    const Problem rest = without(problem, solution, {edge(b), b + 1 == blocks ? span.end : edge(b + 1)});
+    Problem rest = without(problem, solution, {edge(b), b + 1 == blocks ? span.end : edge(b + 1)});
     SolveOptions solve_options;
     solve_options.max_iterations = options.max_iterations;
     solve_options.covariance = false;

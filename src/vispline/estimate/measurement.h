@@ -58,7 +58,7 @@ struct RowOrigin {
   std::optional<Vector2d> px{};  ///< where in the image
 };
 
-/// Readings of one sensor over a short time. Immutable; any thread may evaluate it.
+/// Readings of one sensor over a short time. Any thread may evaluate it.
 class Measurement {
  public:
   virtual ~Measurement() = default;
@@ -72,6 +72,8 @@ class Measurement {
   virtual bool only_holds() const { return false; }
   /// When the rows were measured, on the clock of the sensor: orders residuals in time.
   virtual Time time() const = 0;
+  /// Fixes what weighs the rows by the state it depends on, until the next call: line_whitening() of a rolling shutter.
+  virtual void whiten(const State& /*state*/) {}
   virtual void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const = 0;
 };
 

@@ -9,12 +9,16 @@ namespace vispline {
 namespace {
 
 constexpr std::size_t kChunks = 4;
+/// Information that the damping takes a column to have at least: one that nothing was measured of stays where it is.
+constexpr double kLeastInformation = 1e-6;
 
 struct ChunkRange {
   std::size_t begin, end;
   ChunkRange(std::size_t count, std::size_t chunk)
       : begin(count * chunk / kChunks), end(count * (chunk + 1) / kChunks) {}
 };
+
+Eigen::VectorXd damping(const Skyline& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
 
 }  // namespace
 
@@ -94,7 +98,7 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
 NormalEquations::Reduced NormalEquations::reduce(double lambda, double floor) const {
   Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
   const int n = problem_.track_model.size();
-  if (lambda > 0.0) reduced.H.add_to_diagonal(lambda * H_.diagonal().cwiseMax(floor));
+  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda).cwiseMax(lambda * floor));
   ProductPanel panel(reduced.H);
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     Eigen::MatrixXd H_l = tracks_[t].H.topLeftCorner(n, n);
@@ -125,8 +129,8 @@ std::optional<Step> NormalEquations::step(double lambda) const {
   Step step;
   step.delta = reduced.H.solve(-reduced.g);
   if (!step.delta.allFinite()) return std::nullopt;
+  double sum = step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_);
   step.delta_landmark = landmarks_of(reduced, step.delta, true);
-  double sum = step.delta.dot(lambda * H_.diagonal().cwiseProduct(step.delta) - g_);
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const Eigen::VectorXd delta = step.delta_landmark[t].head(n);
     sum += delta.dot(lambda * tracks_[t].H.diagonal().head(n).cwiseProduct(delta) - tracks_[t].g.head(n));

@@ -57,4 +57,12 @@ std::optional<Eigen::Matrix2d> line_whitening(const Shutter& shutter, const Vect
   return M;
 }
 
+std::optional<Eigen::Matrix2d> line_whitening(const Camera& camera, const Pose& T_w_b, const Vector6d& twist_b,
+                                              const HomogeneousPoint& point) {
+  if (camera.shutter.line_delay_s == 0.0) return Eigen::Matrix2d(Eigen::Matrix2d::Identity());
+  const auto seen = linearize_reprojection(camera, T_w_b, point);
+  if (!seen) return std::nullopt;
+  return line_whitening(camera.shutter, seen->d_pose * twist_b);
+}
+
 }  // namespace vispline

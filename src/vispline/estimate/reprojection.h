@@ -42,4 +42,8 @@ AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const In
 /// twice.
 std::optional<Eigen::Matrix2d> line_whitening(const Shutter& shutter, const Vector2d& ydot_px_per_s);
 
+/// The same for a point seen from the body at T_w_b that moves with twist_b; empty also where the lens has no image.
+std::optional<Eigen::Matrix2d> line_whitening(const Camera& camera, const Pose& T_w_b, const Vector6d& twist_b,
+                                              const HomogeneousPoint& point);
+
 }  // namespace vispline

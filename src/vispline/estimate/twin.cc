@@ -100,7 +100,7 @@ struct Run {
   double nees = 0.0;
 };
 
-Run evaluate(const Problem& problem, const Solution& truth, int max_iterations) {
+Run evaluate(Problem problem, const Solution& truth, int max_iterations) {
   SolveOptions options;
   options.max_iterations = max_iterations;
   const Solution again = solve(problem, options);
