@@ -13,8 +13,14 @@ namespace {
 
 using testing::SmallCalibration;
 
-CalibrationResult result_of(const SmallCalibration& calibration, const SolveOptions& options = {}) {
-  return assess(calibration.problem, solve(calibration.problem, options), {.truth = &calibration.truth});
+CalibrationResult result_of(SmallCalibration& calibration, const SolveOptions& options = {}) {
+  const Solution solution = solve(calibration.problem, options);
+  return assess(calibration.problem, solution, {.truth = &calibration.truth});
+}
+
+CalibrationResult result_of(const SmallCalibration::Options& options) {
+  SmallCalibration calibration(options);
+  return result_of(calibration);
 }
 
 std::string all_words(const CalibrationResult& result) {
@@ -30,7 +36,7 @@ const SensorResiduals& sensor(const CalibrationResult& result, const std::string
 }
 
 TEST(Assess, GoodDataConverge) {
-  const SmallCalibration calibration({});
+  SmallCalibration calibration({});
   const CalibrationResult result = result_of(calibration);
   EXPECT_EQ(result.result_class, ResultClass::kConverged) << all_words(result);
   EXPECT_LT(result.gradient_sigmas, 0.05);
@@ -56,7 +62,7 @@ TEST(Assess, GoodDataConverge) {
 
 /// What all sensors absorb together is the number of unknowns.
 TEST(Assess, DegreesOfFreedomAddUp) {
-  const SmallCalibration calibration({});
+  SmallCalibration calibration({});
   const Solution solution = solve(calibration.problem, {});
   const CalibrationResult result = assess(calibration.problem, solution);
   double absorbed = 0.0;
@@ -65,10 +71,10 @@ TEST(Assess, DegreesOfFreedomAddUp) {
 }
 
 TEST(Assess, WrongSigmasAreInconsistent) {
-  const CalibrationResult loud = result_of(SmallCalibration({.noise = 3.0}));
+  const CalibrationResult loud = result_of(SmallCalibration::Options{.noise = 3.0});
   EXPECT_EQ(loud.result_class, ResultClass::kInconsistent);
   EXPECT_NE(all_words(loud).find("cam0: residuals are"), std::string::npos) << all_words(loud);
-  EXPECT_EQ(result_of(SmallCalibration({.noise = 0.2})).result_class, ResultClass::kInconsistent);
+  EXPECT_EQ(result_of(SmallCalibration::Options{.noise = 0.2}).result_class, ResultClass::kInconsistent);
 }
 
 TEST(Assess, FewIterationsAreNotConverged) {
@@ -89,7 +95,7 @@ TEST(Assess, StoppedKeepsTheClass) {
 
 /// Turning about z alone does not show how far apart camera and IMU are along z.
 TEST(Assess, LeverArmAlongTheOnlyAxisOfRotation) {
-  const CalibrationResult result = result_of(SmallCalibration({.turn = 0.0}));
+  const CalibrationResult result = result_of(SmallCalibration::Options{.turn = 0.0});
   ASSERT_FALSE(result.weak.empty()) << all_words(result);
   EXPECT_NE(result.result_class, ResultClass::kConverged);
   EXPECT_NE(all_words(result).find("cam0.T_c_i.translation along z"), std::string::npos) << all_words(result);
@@ -119,7 +125,7 @@ TEST(Assess, WhatNothingMeasuresIsNamed) {
 }
 
 TEST(Assess, SameBytesForAnyThreads) {
-  const SmallCalibration calibration({});
+  SmallCalibration calibration({});
   const Solution solution = solve(calibration.problem, {});
   const CalibrationResult one = assess(calibration.problem, solution, {.threads = 1});
   const CalibrationResult three = assess(calibration.problem, solution, {.threads = 3});

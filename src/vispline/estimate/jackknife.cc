@@ -10,7 +10,7 @@
 namespace vispline {
 namespace {
 
-/// A measurement of another problem.
+/// A measurement of another problem, with the weights that it has there.
 class Borrowed final : public Measurement {
  public:
   explicit Borrowed(const Measurement& measurement) : measurement_(measurement) {}

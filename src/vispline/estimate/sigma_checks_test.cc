@@ -20,7 +20,7 @@ SmallCalibration held_calibration() {
 }
 
 TEST(Twin, SigmasAreRight) {
-  const SmallCalibration calibration({});
+  SmallCalibration calibration({});
   const Solution solution = solve(calibration.problem, {});
   const Twin result = twin(calibration.problem, solution, {.runs = 40, .seed = 3, .threads = 2});
   EXPECT_EQ(result.failed, 0);
@@ -32,7 +32,7 @@ TEST(Twin, SigmasAreRight) {
 }
 
 TEST(Twin, SameBytesForAnyThreads) {
-  const SmallCalibration calibration({.duration_s = 1.5});
+  SmallCalibration calibration({.duration_s = 1.5});
   const Solution solution = solve(calibration.problem, {});
   const Twin one = twin(calibration.problem, solution, {.runs = 4, .threads = 1});
   const Twin three = twin(calibration.problem, solution, {.runs = 4, .threads = 3});
@@ -42,7 +42,7 @@ TEST(Twin, SameBytesForAnyThreads) {
 }
 
 TEST(Jackknife, AgreesWithSigmasWhereTheModelIsRight) {
-  const SmallCalibration calibration = held_calibration();
+  SmallCalibration calibration = held_calibration();
   const Solution solution = solve(calibration.problem, {});
   const Jackknife result = jackknife(calibration.problem, solution, {.blocks = 8, .threads = 2});
   EXPECT_EQ(result.failed, 0);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kInterval95 = 1.959963984540054;
 
-/// The measurement as it would have been with other noise: its residuals less those at the estimate, plus noise.
+/// The measurement as it would have been with other noise: its residuals less those at the estimate, plus noise,
+/// weighted as there.
 class Redrawn final : public Measurement {
  public:
   Redrawn(const Measurement& measured, const Rows& at_estimate, const RandomStream& noise)
