@@ -10,6 +10,23 @@
 #include "vispline/simulate/random_cloud.h"
 
 namespace vispline::cli {
+Scene scene_of(const TargetCalibration& target, const Pose& T_w_t) {
+  switch (target.kind) {
+    case TargetKind::kAprilgrid:
+      return aprilgrid_scene({target.cols, target.rows, target.tag_size_m, target.tag_spacing}, T_w_t);
+    case TargetKind::kCheckerboard:
+      return checkerboard_scene({target.cols, target.rows, target.col_spacing_m, target.row_spacing_m}, T_w_t);
+    case TargetKind::kCirclegrid:
+      return circle_grid_scene({.cols = target.cols,
+                                .rows = target.rows,
+                                .spacing_m = target.col_spacing_m,
+                                .radius_m = 0.25 * target.col_spacing_m,
+                                .is_asymmetric = target.is_asymmetric},
+                               T_w_t);
+  }
+  return {};
+}
+
 namespace {
 
 constexpr double kRoomMargin_m = 3.0, kCloudMargin_m = 8.0;
@@ -76,23 +93,6 @@ Pose board_pose(const SceneRequest& request, const Vector2d& size_m) {
   T_c_t.R = Vector3d(1.0, -1.0, -1.0).asDiagonal();
   T_c_t.p = distance_m * *axis_c - T_c_t.R * Vector3d(0.5 * size_m.x(), 0.5 * size_m.y(), 0.0);
   return T_w_c * T_c_t;
-}
-
-Scene scene_of(const TargetCalibration& target, const Pose& T_w_t) {
-  switch (target.kind) {
-    case TargetKind::kAprilgrid:
-      return aprilgrid_scene({target.cols, target.rows, target.tag_size_m, target.tag_spacing}, T_w_t);
-    case TargetKind::kCheckerboard:
-      return checkerboard_scene({target.cols, target.rows, target.col_spacing_m, target.row_spacing_m}, T_w_t);
-    case TargetKind::kCirclegrid:
-      return circle_grid_scene({.cols = target.cols,
-                                .rows = target.rows,
-                                .spacing_m = target.col_spacing_m,
-                                .radius_m = 0.25 * target.col_spacing_m,
-                                .is_asymmetric = target.is_asymmetric},
-                               T_w_t);
-  }
-  return {};
 }
 
 std::optional<TargetCalibration> named_target(const std::string& name) {

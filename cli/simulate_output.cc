@@ -70,12 +70,12 @@ void write_course(const SimulationTask& task) {
   std::vector<Time> times;
   for (std::size_t i = 0; i < images.size(); ++i) times.push_back(images[i]);
   cli::write_course({.trajectory = task.trajectory,
-                .imu = task.imus[0],
-                .stamps = task.stamps,
-                .images = times,
-                .T_b_c = course_T_b_c(),
-                .folder = task.out},
-               task.output);
+                     .imu = task.imus[0],
+                     .stamps = task.stamps,
+                     .images = times,
+                     .T_b_c = course_T_b_c(),
+                     .folder = task.out},
+                    task.output);
 }
 
 }  // namespace
