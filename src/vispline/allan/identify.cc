@@ -133,14 +133,20 @@ double coefficient(const SpectralModel& model, std::size_t term) {
   return term == kRamp ? std::abs(model.ramp) : std::sqrt(model.power[term]);
 }
 
-/// What the data lose when the coefficient of `term` is c (with the sign of the fitted ramp).
+/// What the data lose when the coefficient of `term` is c (with the sign of the fitted ramp), as the square of a
+/// standard normal number: the signed root of the loss of twice the log-likelihood, with its mean taken off.
+/// docs/math/allan.md (24)
 std::function<double(double)> profile(const SpectralFit& fit, TermMask mask, std::size_t term,
                                       const FittedModel& best) {
   mask[term] = true;
   return [&fit, mask, term, best](double c) {
     const double held = term == kRamp ? std::copysign(c, best.model.ramp) : c * c;
     const FittedModel at = fit.maximise(mask, SpectralFit::Held{static_cast<Term>(term), held}, &best.model);
-    return 2.0 * (best.log_likelihood - at.log_likelihood);
+    const double root = std::sqrt(std::max(0.0, 2.0 * (best.log_likelihood - at.log_likelihood)));
+    const double shift = fit.score_skewness(static_cast<Term>(term), mask, at.model) / 6.0;
+    const double above = c > coefficient(best.model, term) ? -1.0 : 1.0;
+    const double normal = std::max(0.0, root + above * shift);
+    return normal * normal;
   };
 }
 

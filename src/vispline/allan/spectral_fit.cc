@@ -73,6 +73,33 @@ double SpectralFit::log_power_variance(std::span<const std::size_t> of_cells, co
   return along.dot(scaled.ldlt().solve(along));
 }
 
+double SpectralFit::score_skewness(Term term, const TermMask& mask, const SpectralModel& model) const {
+  const auto own = static_cast<Eigen::Index>(term);
+  if (own >= static_cast<Eigen::Index>(kVariances)) return 0.0;
+  Matrix others = score(model).information;
+  Vector shared = others.col(own);
+  for (Eigen::Index i = 0; i < others.rows(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (i != own && mask[k] && model.power[k] > 0.0) continue;
+    others.row(i).setZero();
+    others.col(i).setZero();
+    others(i, i) = 1.0;
+    shared(i) = 0.0;
+  }
+  const Vector scale = others.diagonal().cwiseSqrt().cwiseInverse();
+  const Matrix scaled = scale.asDiagonal() * others * scale.asDiagonal();
+  Vector direction = -scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(shared)));
+  direction(own) = 1.0;
+  double second = 0.0, third = 0.0;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const double n = weights_[c] * cells_[c].count;
+    const double s = direction.dot(Eigen::Map<const Vector>(cells_[c].expected.data())) / variance(cells_[c], model);
+    second += 0.5 * n * s * s;
+    third += n * s * s * s;
+  }
+  return second > 0.0 ? third / (second * std::sqrt(second)) : 0.0;
+}
+
 double SpectralFit::best_ramp(const SpectralModel& model) const {
   double numerator = 0.0, denominator = 0.0;
   for (std::size_t c = 0; c < cells_.size(); ++c) {

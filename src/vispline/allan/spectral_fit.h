@@ -45,6 +45,8 @@ class SpectralFit {
   /// Variance of the logarithm of the model's power, averaged over some cells, by the Fisher information of all cells
   /// about the powers that are not zero.
   double log_power_variance(std::span<const std::size_t> of_cells, const SpectralModel& model) const;
+  /// Third standardised moment of the score of one power at the model, the other powers of `mask` fitted beside it.
+  double score_skewness(Term term, const TermMask& mask, const SpectralModel& model) const;
   /// Expected z^2 of a cell.
   static double variance(const SpectralCell& cell, const SpectralModel& model);
   /// Mean of z^2 with the ramp's mean taken off.
