@@ -6,6 +6,7 @@
 #include "validators.h"
 #include "verbs.h"
 #include "vispline/results/documents.h"
+#include "vispline/results/evo_result.h"
 
 namespace vispline::cli {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 struct EvaluateFlags {
   Session session;
   ReadFlags read;
-  std::string first, second, as, align = "se3";
+  std::string first, second, as, align = "se3", evo;
   ImuCompareOptions imu;
 };
 
@@ -55,6 +56,10 @@ void evaluate_trajectory(EvaluateFlags& flags) {
   options.alignment = *alignment_from_name(flags.align);
   const TrajectoryComparison comparison = compare_trajectories(estimate.value, reference.value, options);
   flags.session.finish(comparison.diagnostics);
+  if (!flags.evo.empty()) {
+    const OutputGuard guard;
+    write_file(flags.evo, evo_result_zip(comparison, flags.second, flags.first), output_options(flags.session));
+  }
   std::cout << (flags.session.json ? evaluate_trajectory_json(comparison, flags.session.context)
                                    : evaluate_trajectory_text(comparison));
 }
@@ -71,6 +76,9 @@ void add_evaluate(CLI::App& app) {
   verb->add_option("--align", flags->align, "alignment of the estimate with the reference")
       ->check(CLI::IsMember({"none", "se3", "sim3", "yaw"}))
       ->capture_default_str();
+  verb->add_option("--evo", flags->evo,
+                   "write the absolute position errors of two trajectories as a result of evo (zip)")
+      ->check(not_empty());
   verb->add_option("--max-offset", flags->imu.max_offset_s, "largest time offset of two IMUs to look for [s]")
       ->check(positive());
   flags->read.add_to(*verb);

@@ -81,12 +81,17 @@ void ReadFlags::add_to(CLI::App& verb) {
         ->expected(1)
         ->group("Reading");
   };
+  flag("--topic", topic, "topic of a recording, or sensor of an EuRoC folder; the only one that fits otherwise");
+  flag("--gyro-topic", gyro_topic, "topic of a gyroscope that stands alone, goes with --accel-topic");
+  flag("--accel-topic", accel_topic, "topic of the accelerometer that goes with --gyro-topic");
+  flag("--time", time, "header: stamps of the messages (the default), or receive: when the recorder got them");
   flag("--input-format", format, "format of the input, found from its content otherwise");
   flag("--columns", columns, "names of the columns, such as t,gx,gy,gz,ax,ay,az");
   flag("--time-unit", time_unit, "s, ms, us, ns or index@RATE with RATE in Hz, such as 200 or 2000/7");
   flag("--rate", rate, "[Hz] of a file without times: its rows are samples from t = 0");
   flag("--gyro-unit", gyro_unit, "rad/s, deg/s or deg/h");
   flag("--accel-unit", accel_unit, "m/s^2, g or mg");
+  flag("--imu-axes", imu_axes, "axis of each channel of a GoPro, small for a turned sign, such as YxZ");
   flag("--decimal", decimal, "decimal sign, . or ,");
   verb.add_flag("--skip-bad-rows", skip_bad_rows, "leave out up to 0.1 % of malformed rows")->group("Reading");
   verb.add_flag("--repair", repair, "leave out or sort more rows than the usual 1 %")->group("Reading");
@@ -95,13 +100,20 @@ void ReadFlags::add_to(CLI::App& verb) {
 ReadOptions ReadFlags::options(std::size_t index, const Session& session) const {
   const std::string sign = nth(decimal, index);
   require(sign.empty() || sign == "." || sign == ",", "--decimal . or ,");
+  const std::string clock = nth(time, index);
+  require(clock.empty() || clock == "header" || clock == "receive", "--time header or receive");
   return {.format = nth(format, index),
           .columns = nth(columns, index),
           .time_unit = nth(time_unit, index),
           .rate_hz = rate_of(nth(rate, index)),
           .gyro_unit = nth(gyro_unit, index),
           .accel_unit = nth(accel_unit, index),
+          .imu_axes = nth(imu_axes, index),
           .decimal = sign.empty() ? '.' : sign[0],
+          .topic = nth(topic, index),
+          .gyro_topic = nth(gyro_topic, index),
+          .accel_topic = nth(accel_topic, index),
+          .clock = clock == "receive" ? StampClock::kReceive : StampClock::kHeader,
           .skip_bad_rows = skip_bad_rows,
           .repair = repair,
           .strict = session.strict};

@@ -17,6 +17,7 @@ constexpr const char* kFooter =
     "  vispline simulate --trajectory mocap.csv --like imu.csv --out synth.csv\n"
     "  vispline allan static.csv --out out/allan --export kalibr,openvins\n"
     "  vispline evaluate synth.csv imu.csv\n"
+    "  vispline export camchain.yaml --for orbslam3 --out orbslam3.yaml\n"
     "  vispline integrate --trajectory ellipse --imu-rate 50,100,200 --method all";
 
 int run(int argc, char** argv) {
@@ -28,6 +29,7 @@ int run(int argc, char** argv) {
   vispline::cli::add_integrate(app);
   vispline::cli::add_allan(app);
   vispline::cli::add_evaluate(app);
+  vispline::cli::add_export(app);
   vispline::cli::add_demo(app);
   try {
     app.parse(argc, argv);

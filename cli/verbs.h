@@ -9,6 +9,7 @@ void add_simulate(CLI::App& app);
 void add_integrate(CLI::App& app);
 void add_allan(CLI::App& app);
 void add_evaluate(CLI::App& app);
+void add_export(CLI::App& app);
 void add_demo(CLI::App& app);
 
 }  // namespace vispline::cli

@@ -1,17 +1,13 @@
 /// What every reader of recordings owes, whatever the bytes.
 #pragma once
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "must.h"
 #include "vispline/bags/bag.h"
 
 namespace vispline::fuzz {
-
-inline void must(bool condition) {
-  if (!condition) std::abort();
-}
 
 struct Seen {
   bool failed = false, warned = false, indexed = false;

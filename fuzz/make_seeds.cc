@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "signal_seeds.h"
 #include "vispline/bags/bag_writer.h"
 
 namespace {
@@ -55,5 +56,6 @@ int main(int argc, char** argv) {
     const std::string head = {static_cast<char>(static_cast<int>(codec) - 1), 20};
     put(root + "chunk/" + std::string(name_of(codec)), head + encode(codec, message(1, Wire::kRos1)));
   }
+  for (const auto& [name, bytes] : vispline::fuzz::signal_seeds()) put(root + name, bytes);
   return 0;
 }

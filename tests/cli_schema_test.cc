@@ -115,6 +115,18 @@ TEST(CliSchema, Integrate) {
   expect_documented(measured);
 }
 
+TEST(CliSchema, SimulateRig) {
+  const Program program;
+  const Json made = document(program, "simulate --trajectory dance --duration 1 --rig phone --scene room --out a");
+  EXPECT_EQ(made["schema"], "vispline.simulate_rig/1");
+  EXPECT_EQ(keys(made), (Names{"schema", "version", "imus", "samples", "cameras", "frames", "images", "features",
+                               "displaced_features", "landmarks", "begin_s", "end_s", "seed"}) +
+                            kDiagnosticKeys);
+  EXPECT_EQ(made["samples"], 200);
+  EXPECT_EQ(made["frames"], 30);
+  expect_documented(made);
+}
+
 TEST(CliSchema, EvaluateImu) {
   const Program program;
   make_imu_pair(program);

@@ -64,4 +64,11 @@ RigReading read(const RigInput& input);
 std::vector<NamedText> write(const RigCalibration& rig);
 }  // namespace basalt_rig
 
+namespace gyroflow_rig {
+inline constexpr const char* kName = "gyroflow";
+bool recognizes(const YamlFile& file);
+RigReading read(const RigInput& input);
+std::vector<NamedText> write(const RigCalibration& rig);
+}  // namespace gyroflow_rig
+
 }  // namespace vispline

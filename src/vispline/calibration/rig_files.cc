@@ -20,6 +20,7 @@ struct Dialect {
 
 /// The more special first.
 constexpr Dialect kDialects[] = {
+    {gyroflow_rig::kName, gyroflow_rig::recognizes, gyroflow_rig::read, gyroflow_rig::write},
     {basalt_rig::kName, basalt_rig::recognizes, basalt_rig::read, basalt_rig::write},
     {orbslam3_rig::kName, orbslam3_rig::recognizes, orbslam3_rig::read, orbslam3_rig::write},
     {vins_fusion_rig::kName, vins_fusion_rig::recognizes, vins_fusion_rig::read, vins_fusion_rig::write},
@@ -83,7 +84,9 @@ void note_lost_imu_model(const RigCalibration& rig, std::vector<std::string>& no
   }
 }
 
-std::vector<std::string> rig_dialects() { return {"kalibr", "openvins", "vins-fusion", "orbslam3", "basalt"}; }
+std::vector<std::string> rig_dialects() {
+  return {"kalibr", "openvins", "vins-fusion", "orbslam3", "basalt", "gyroflow"};
+}
 
 std::vector<NamedText> rig_files(std::string_view dialect, const RigCalibration& rig) {
   for (const Dialect& row : kDialects) {

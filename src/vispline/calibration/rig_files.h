@@ -11,7 +11,7 @@
 
 namespace vispline {
 
-/// "kalibr", "openvins", "vins-fusion", "orbslam3", "basalt".
+/// "kalibr", "openvins", "vins-fusion", "orbslam3", "basalt", "gyroflow".
 std::vector<std::string> rig_dialects();
 
 /// The files of `dialect`. What it cannot hold is in the `notes` of the file. Throws E-CONFIG (exit 2) for an unknown

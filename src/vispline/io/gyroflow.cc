@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "vispline/io/format_words.h"
 #include "vispline/io/number_text.h"
 
 namespace vispline::gyroflow {
@@ -44,6 +45,25 @@ std::optional<ColumnPlan> recognizes(const ReadContext& context, const TextLayou
   plan.gyro_unit = scale_of(context, layout, "gscale");
   if (plan.has(kAccelX, 3)) plan.accel_unit = scale_of(context, layout, "ascale") * kStandardGravity;
   return plan;
+}
+
+std::string text(const ImuSignal& imu, std::optional<double> readout_s) {
+  std::string out = "GYROFLOW IMU LOG\nversion,1.3\nid,vispline\norientation,XYZ\n";
+  if (readout_s) {
+    out += "frame_readout_time,";
+    append_number(out, *readout_s * 1e3);
+    out += "\nframe_readout_direction,0\n";
+  }
+  out += "tscale,0.000000001\ngscale,1.0\nascale,";
+  append_number(out, 1.0 / kStandardGravity);
+  out += "\nt,gx,gy,gz,ax,ay,az\n";
+  for (std::size_t i = 0; i < imu.size(); ++i) {
+    append_number(out, to_ns(imu.time[i]));
+    append_cells(out, ',', imu.value[i].gyro);
+    append_cells(out, ',', imu.value[i].accel);
+    out += '\n';
+  }
+  return out;
 }
 
 }  // namespace vispline::gyroflow

@@ -2,6 +2,8 @@
 
 #include "vispline/core/error.h"
 #include "vispline/io/euroc_imu.h"
+#include "vispline/io/gyroflow.h"
+#include "vispline/io/kitti.h"
 #include "vispline/io/mocap.h"
 #include "vispline/io/tum.h"
 
@@ -26,6 +28,24 @@ void ImuCsvWriter::write(const ImuSignal& block) {
   }
 }
 
+GroundTruthCsvWriter::GroundTruthCsvWriter(std::string path, OutputOptions options)
+    : file_(std::move(path), options), text_(euroc_groundtruth::kHeader) {
+  text_ += '\n';
+}
+
+void GroundTruthCsvWriter::write(Time time, const GroundTruth& state) {
+  euroc_groundtruth::append_row(text_, time, state);
+  if (text_.size() < kBlockBytes) return;
+  file_.write(text_);
+  text_.clear();
+}
+
+void GroundTruthCsvWriter::publish() {
+  file_.write(text_);
+  text_.clear();
+  file_.publish();
+}
+
 std::uint64_t imu_csv_bytes(std::uint64_t rows) { return rows * kRowBytes + euroc_imu::kHeader.size() + 1; }
 
 void write_imu_csv(const std::string& path, const ImuSignal& imu, OutputOptions options) {
@@ -40,6 +60,15 @@ void write_trajectory_tum(const std::string& path, const Signal<Pose>& T_w_b, Ou
 
 void write_trajectory_euroc(const std::string& path, const Signal<Pose>& T_w_b, OutputOptions options) {
   write_file(path, mocap::text(T_w_b), options);
+}
+
+void write_trajectory_kitti(const std::string& path, const Signal<Pose>& T_w_b, OutputOptions options) {
+  write_file(path, kitti::text(T_w_b), options);
+}
+
+void write_imu_gcsv(const std::string& path, const ImuSignal& imu, std::optional<double> readout_s,
+                    OutputOptions options) {
+  write_file(path, gyroflow::text(imu, readout_s), options);
 }
 
 void write_groundtruth_euroc(const std::string& path, const Signal<GroundTruth>& states, OutputOptions options) {

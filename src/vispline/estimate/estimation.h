@@ -1,0 +1,30 @@
+/// An estimation from start to end, whatever it was made from. docs/math/estimate.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "vispline/core/error.h"
+#include "vispline/estimate/solve.h"
+
+namespace vispline {
+
+/// One step towards the solution, and the number that says whether it went well.
+struct Stage {
+  std::string name;     ///< "camera poses of cam0"
+  std::string measure;  ///< "rms of reprojection"
+  double value = 0.0;
+  double limit = 0.0;  ///< a value beyond it is a failure
+  std::string unit;
+  bool passed = false;
+};
+
+/// What an estimation leaves: the last problem, its solution, and how it got there.
+struct Estimation {
+  Problem problem{};  ///< the last one, with its start
+  Solution solution{};
+  std::vector<Stage> stages{};
+  Diagnostics diagnostics{};
+};
+
+}  // namespace vispline

@@ -1,0 +1,162 @@
+#include "vispline/estimate/normal_equations.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "vispline/core/parallel.h"
+
+namespace vispline {
+namespace {
+
+constexpr std::size_t kChunks = 4;
+
+struct ChunkRange {
+  std::size_t begin, end;
+  ChunkRange(std::size_t count, std::size_t chunk)
+      : begin(count * chunk / kChunks), end(count * (chunk + 1) / kChunks) {}
+};
+
+}  // namespace
+
+CostAt cost_at(const Problem& problem, const State& state, const Columns& columns, std::size_t threads) {
+  std::vector<CostAt> part(kChunks);
+  parallel_for(kChunks, threads, [&](std::size_t chunk) {
+    Rows rows;
+    const ChunkRange measured(problem.measurements.size(), chunk), tracked(problem.tracks.size(), chunk);
+    for (std::size_t m = measured.begin; m < measured.end; ++m) {
+      problem.measurements[m]->evaluate(state, columns, false, rows);
+      part[chunk].cost += rows.cost;
+      part[chunk].lost += rows.lost;
+    }
+    for (std::size_t t = tracked.begin; t < tracked.end; ++t) {
+      const TrackResiduals residuals = evaluate_track(state, problem.track_model, problem.tracks[t]);
+      part[chunk].cost += residuals.cost;
+      part[chunk].lost += residuals.lost;
+    }
+  });
+  CostAt sum;
+  for (const CostAt& p : part) {
+    sum.cost += p.cost;
+    sum.lost += p.lost;
+  }
+  return sum;
+}
+
+NormalEquations::NormalEquations(const Problem& problem, const State& state, const Columns& columns,
+                                 std::size_t threads)
+    : problem_(problem), H_(columns.layout.columns), tracks_(problem.tracks.size()) {
+  struct Local {
+    std::vector<int> column;
+    Eigen::MatrixXd H;
+    Eigen::VectorXd g;
+    double cost = 0.0;
+    std::size_t lost = 0;
+  };
+  std::vector<Local> local(problem.measurements.size());
+  parallel_for(kChunks, threads, [&](std::size_t chunk) {
+    Rows rows;
+    const ChunkRange range(local.size(), chunk);
+    for (std::size_t m = range.begin; m < range.end; ++m) {
+      problem.measurements[m]->evaluate(state, columns, true, rows);
+      const Eigen::MatrixXd WJ = rows.weight.asDiagonal() * rows.J;
+      local[m] = {rows.column, rows.J.transpose() * WJ, WJ.transpose() * rows.r, rows.cost, rows.lost};
+    }
+  });
+  for (const Local& l : local) H_.couple(l.column);
+  for (const Track& track : problem.tracks) H_.couple(columns_of(state, columns, track));
+  H_.allocate();
+  g_.setZero(columns.layout.columns);
+  for (const Local& l : local) {
+    H_.add(l.column, l.H);
+    for (std::size_t i = 0; i < l.column.size(); ++i) g_(l.column[i]) += l.g(static_cast<Eigen::Index>(i));
+    cost_ += l.cost;
+    lost_ += l.lost;
+  }
+  if (problem.tracks.empty()) return;
+  std::vector<Skyline> H(kChunks, H_.zeros());
+  std::vector<Eigen::VectorXd> g(kChunks, Eigen::VectorXd::Zero(g_.size()));
+  parallel_for(kChunks, threads, [&](std::size_t chunk) {
+    const ChunkRange range(problem.tracks.size(), chunk);
+    for (std::size_t t = range.begin; t < range.end; ++t) {
+      tracks_[t] = linearize_track(state, columns, problem.track_model, problem.tracks[t], H[chunk], g[chunk]);
+    }
+  });
+  for (std::size_t chunk = 0; chunk < kChunks; ++chunk) {
+    H_ += H[chunk];
+    g_ += g[chunk];
+  }
+  for (const TrackBlock& track : tracks_) {
+    cost_ += track.cost;
+    lost_ += track.lost;
+  }
+}
+
+NormalEquations::Reduced NormalEquations::reduce(double lambda) const {
+  Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
+  const int n = problem_.track_model.size();
+  if (lambda > 0.0) reduced.H.add_to_diagonal(lambda * H_.diagonal());
+  ProductPanel panel(reduced.H);
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    Eigen::MatrixXd H_l = tracks_[t].H.topLeftCorner(n, n);
+    H_l.diagonal() *= 1.0 + lambda;
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(H_l);
+    if (cholesky.info() != Eigen::Success) {
+      reduced.positive = false;
+      return reduced;
+    }
+    const Eigen::MatrixXd L_inverse = cholesky.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
+    reduced.L_inverse[t].topLeftCorner(n, n) = L_inverse;
+    const Eigen::MatrixXd P = L_inverse * tracks_[t].W;
+    const Eigen::VectorXd p = P.transpose() * (L_inverse * tracks_[t].g.head(n));
+    panel.add(tracks_[t].column, P);
+    for (std::size_t i = 0; i < tracks_[t].column.size(); ++i) {
+      reduced.g(tracks_[t].column[i]) -= p(static_cast<Eigen::Index>(i));
+    }
+  }
+  panel.flush();
+  reduced.positive = reduced.H.factor();
+  return reduced;
+}
+
+std::optional<Step> NormalEquations::step(double lambda) const {
+  const Reduced reduced = reduce(lambda);
+  if (!reduced.positive) return std::nullopt;
+  const int n = problem_.track_model.size();
+  Step step;
+  step.delta = reduced.H.solve(-reduced.g);
+  if (!step.delta.allFinite()) return std::nullopt;
+  const Eigen::VectorXd diagonal = H_.diagonal();
+  double sum = step.delta.dot(lambda * diagonal.cwiseProduct(step.delta) - g_);
+  step.delta_landmark.assign(tracks_.size(), Vector3d::Zero());
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    const TrackBlock& track = tracks_[t];
+    Eigen::VectorXd rhs = -track.g.head(n);
+    for (std::size_t i = 0; i < track.column.size(); ++i) {
+      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * step.delta(track.column[i]);
+    }
+    const Eigen::MatrixXd L_inverse = reduced.L_inverse[t].topLeftCorner(n, n);
+    const Eigen::VectorXd delta = L_inverse.transpose() * (L_inverse * rhs);
+    step.delta_landmark[t].head(n) = delta;
+    sum += delta.dot(lambda * track.H.diagonal().head(n).cwiseProduct(delta) - track.g.head(n));
+  }
+  step.predicted = 0.5 * sum;
+  return step;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) const {
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd X(B.rows(), B.cols());
+  for (Eigen::Index c = 0; c < B.cols(); ++c) X.col(c) = reduced.H.solve(B.col(c));
+  return X;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
+  if (!covariance.allFinite()) return std::nullopt;
+  return covariance;
+}
+
+}  // namespace vispline

@@ -1,0 +1,165 @@
+#include "vispline/estimate/skyline.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <numeric>
+
+namespace vispline {
+
+Skyline::Skyline(int size) : size_(size), first_(static_cast<std::size_t>((size + kTile - 1) / kTile)) {
+  std::iota(first_.begin(), first_.end(), 0);
+}
+
+Eigen::Map<Skyline::Tile> Skyline::tile(int row, int column) {
+  return Eigen::Map<Tile>(data_.data() + offset(row, column));
+}
+
+Eigen::Map<const Skyline::Tile> Skyline::tile(int row, int column) const {
+  return Eigen::Map<const Tile>(data_.data() + offset(row, column));
+}
+
+void Skyline::couple(std::span<const int> columns) {
+  if (columns.empty()) return;
+  const int least = *std::min_element(columns.begin(), columns.end()) / kTile;
+  for (const int column : columns) {
+    int& first = first_[static_cast<std::size_t>(column / kTile)];
+    first = std::min(first, least);
+  }
+}
+
+void Skyline::allocate() {
+  begin_.assign(first_.size(), 0);
+  std::size_t count = 0;
+  for (int row = 0; row < tiles(); ++row) {
+    begin_[static_cast<std::size_t>(row)] = count;
+    count += static_cast<std::size_t>(row - first(row) + 1);
+  }
+  data_.assign(count * kTile * kTile, 0.0);
+  for (int i = size_; i < tiles() * kTile; ++i) tile(i / kTile, i / kTile)(i % kTile, i % kTile) = 1.0;
+}
+
+Skyline Skyline::zeros() const {
+  Skyline zeros = *this;
+  std::fill(zeros.data_.begin(), zeros.data_.end(), 0.0);
+  return zeros;
+}
+
+Skyline& Skyline::operator+=(const Skyline& other) {
+  for (std::size_t i = 0; i < data_.size(); ++i) data_[i] += other.data_[i];
+  return *this;
+}
+
+void Skyline::add(std::span<const int> columns, const Eigen::MatrixXd& H) {
+  const auto n = static_cast<Eigen::Index>(columns.size());
+  for (Eigen::Index b = 0; b < n; ++b) {
+    const int column_b = columns[static_cast<std::size_t>(b)];
+    for (Eigen::Index a = b; a < n; ++a) {
+      const int column_a = columns[static_cast<std::size_t>(a)];
+      at(std::max(column_a, column_b), std::min(column_a, column_b)) += H(a, b);
+    }
+  }
+}
+
+void Skyline::add_symmetric(std::span<const int> rows, std::span<const int> columns, const Eigen::MatrixXd& V) {
+  for (std::size_t b = 0; b < columns.size(); ++b) {
+    for (std::size_t a = 0; a < rows.size(); ++a) {
+      const double v = V(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+      at(std::max(rows[a], columns[b]), std::min(rows[a], columns[b])) += rows[a] == columns[b] ? 2.0 * v : v;
+    }
+  }
+}
+
+Eigen::VectorXd Skyline::diagonal() const {
+  Eigen::VectorXd d(size_);
+  for (int i = 0; i < size_; ++i) d(i) = tile(i / kTile, i / kTile)(i % kTile, i % kTile);
+  return d;
+}
+
+void Skyline::add_to_diagonal(const Eigen::VectorXd& d) {
+  for (int i = 0; i < size_; ++i) tile(i / kTile, i / kTile)(i % kTile, i % kTile) += d(i);
+}
+
+bool Skyline::factor() {
+  for (int i = 0; i < tiles(); ++i) {
+    for (int j = first(i); j <= i; ++j) {
+      auto L_ij = tile(i, j);
+      for (int k = std::max(first(i), first(j)); k < j; ++k) L_ij.noalias() -= tile(i, k) * tile(j, k).transpose();
+      if (j < i) {
+        tile(j, j).transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(L_ij);
+      } else {
+        Tile D = L_ij;
+        const Eigen::LLT<Eigen::Ref<Tile>> cholesky(D);
+        if (cholesky.info() != Eigen::Success) return false;
+        L_ij = D.triangularView<Eigen::Lower>();
+      }
+    }
+  }
+  return true;
+}
+
+Eigen::VectorXd Skyline::solve(const Eigen::VectorXd& b) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(tiles() * kTile);
+  x.head(size_) = b;
+  for (int i = 0; i < tiles(); ++i) {
+    auto x_i = x.segment<kTile>(i * kTile);
+    for (int j = first(i); j < i; ++j) x_i.noalias() -= tile(i, j) * x.segment<kTile>(j * kTile);
+    tile(i, i).triangularView<Eigen::Lower>().solveInPlace(x_i);
+  }
+  for (int i = tiles() - 1; i >= 0; --i) {
+    auto x_i = x.segment<kTile>(i * kTile);
+    tile(i, i).transpose().triangularView<Eigen::Upper>().solveInPlace(x_i);
+    for (int j = first(i); j < i; ++j) x.segment<kTile>(j * kTile).noalias() -= tile(i, j).transpose() * x_i;
+  }
+  return x.head(size_);
+}
+
+Eigen::MatrixXd Skyline::tail(int n) const {
+  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
+  const int begin = size_ - n;
+  for (int column = begin; column < size_; ++column) {
+    for (int row = column; row < size_; ++row) {
+      if (column / kTile < first(row / kTile)) continue;
+      L(row - begin, column - begin) = tile(row / kTile, column / kTile)(row % kTile, column % kTile);
+    }
+  }
+  return L;
+}
+
+Eigen::MatrixXd Skyline::tail_of_inverse(int n) const {
+  const Eigen::MatrixXd L_inverse = tail(n).triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(n, n));
+  return L_inverse.transpose() * L_inverse;
+}
+
+ProductPanel::ProductPanel(Skyline& system)
+    : system_(system),
+      tile_(static_cast<std::size_t>(system.tiles()), Skyline::Tile::Zero()),
+      touched_(static_cast<std::size_t>(system.tiles())) {}
+
+void ProductPanel::add(std::span<const int> columns, const Eigen::MatrixXd& P) {
+  const auto rows = static_cast<int>(P.rows());
+  if (rows_ + rows > Skyline::kTile) flush();
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const auto t = static_cast<std::size_t>(columns[c] / Skyline::kTile);
+    touched_[t] = true;
+    tile_[t].col(columns[c] % Skyline::kTile).segment(rows_, rows) = P.col(static_cast<Eigen::Index>(c));
+  }
+  rows_ += rows;
+}
+
+void ProductPanel::flush() {
+  for (std::size_t i = 0; i < tile_.size(); ++i) {
+    if (!touched_[i]) continue;
+    for (std::size_t j = 0; j <= i; ++j) {
+      // Tiles that no landmark of the panel couples hold zeros here, and may have no place in the system.
+      if (!touched_[j] || static_cast<int>(j) < system_.first(static_cast<int>(i))) continue;
+      system_.tile(static_cast<int>(i), static_cast<int>(j)).noalias() -= tile_[i].transpose() * tile_[j];
+    }
+  }
+  for (std::size_t i = 0; i < tile_.size(); ++i) {
+    if (touched_[i]) tile_[i].setZero();
+    touched_[i] = false;
+  }
+  rows_ = 0;
+}
+
+}  // namespace vispline
