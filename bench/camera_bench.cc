@@ -8,6 +8,7 @@
 #include "vispline/core/random.h"
 #include "vispline/core/se3.h"
 #include "vispline/sensors/rolling_shutter.h"
+#include "vispline/simulate/body_instant.h"
 #include "vispline/trajectory/analytic.h"
 
 namespace vispline {
@@ -101,7 +102,7 @@ void project_all(benchmark::State& state, const Project& project) {
   for (auto _ : state) {
     for (std::size_t frame = 0; frame < recording.points.size(); ++frame) {
       const Time stamp = recording.clock(static_cast<std::int64_t>(frame));
-      const auto body_at = [&](double delay_s) { return recording.trajectory.at(stamp + from_seconds(delay_s)); };
+      const auto body_at = [&](double delay_s) { return state_after(recording.trajectory, stamp, delay_s); };
       for (const HomogeneousPoint& point : recording.points[frame]) {
         const std::optional<Vector2d> px = project(recording.camera, point, BodyAt(body_at));
         benchmark::DoNotOptimize(px);
@@ -117,8 +118,7 @@ void baseline_bisection(benchmark::State& state) { project_all(state, by_bisecti
 BENCHMARK(baseline_bisection)->Unit(benchmark::kMillisecond);
 
 void project_points(benchmark::State& state, LineMethod method) {
-  // The trajectory is asked by the nanosecond here: pixels are good to 1e-6.
-  const LineSearch search{.method = method, .tolerance_lines = 1e-6};
+  const LineSearch search{.method = method, .tolerance_lines = 1e-9};
   project_all(state, [&](const Camera& camera, const HomogeneousPoint& point, const BodyAt& body_at) {
     const LineProjection sight = project_rolling_shutter(camera, point, body_at, search);
     return sight.status == LineStatus::kConverged ? std::optional<Vector2d>(sight.px) : std::nullopt;

@@ -1,15 +1,8 @@
 #include "vispline/estimate/reprojection.h"
 
-#include <cmath>
-
 #include "vispline/core/so3.h"
 
 namespace vispline {
-namespace {
-
-constexpr double kMostLineMotion = 0.8;  // lines that a point may move while one line is read
-
-}  // namespace
 
 std::optional<Reprojection> linearize_reprojection(const Camera& camera, const Pose& T_w_b,
                                                    const HomogeneousPoint& point) {
@@ -45,16 +38,6 @@ AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const In
   out.d_T_c_b.row(3).setZero();
   out.d_bearing.row(3).setZero();
   return out;
-}
-
-std::optional<Eigen::Matrix2d> line_whitening(const Shutter& shutter, const Vector2d& ydot_px_per_s) {
-  Eigen::Matrix2d M = Eigen::Matrix2d::Identity();
-  if (shutter.line_delay_s == 0.0) return M;
-  const Vector2d e = shutter.line_gradient();
-  const double motion = shutter.line_delay_s * e.dot(ydot_px_per_s);
-  if (std::abs(motion) > kMostLineMotion) return std::nullopt;
-  M += shutter.line_delay_s / (1.0 - motion) * ydot_px_per_s * e.transpose();
-  return M;
 }
 
 }  // namespace vispline

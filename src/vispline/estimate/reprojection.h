@@ -35,11 +35,4 @@ struct AnchoredPoint {
 };
 AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const InverseDepthLandmark& landmark);
 
-/// What turns (predicted at the measured line - measured) into the residual of the pixel itself: the measured line has
-/// noise, so the instant of prediction has. One Newton step of the line's own equation.
-///   M = I + l ydot e^T / (1 - l e.ydot)                                              docs/math/estimate.md
-/// ydot_px_per_s: velocity of the image of the point. Empty beyond |l e.ydot| = 0.8, where a line may see a point
-/// twice.
-std::optional<Eigen::Matrix2d> line_whitening(const Shutter& shutter, const Vector2d& ydot_px_per_s);
-
 }  // namespace vispline

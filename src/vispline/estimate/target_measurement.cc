@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "vispline/estimate/reprojection.h"
+#include "vispline/sensors/rolling_shutter.h"
 
 namespace vispline {
 namespace {
@@ -61,7 +62,7 @@ class TargetRows final : public Measurement {
     const auto seen =
         linearize_reprojection(camera, at.T_w_b, HomogeneousPoint::known(frame_.point[static_cast<std::size_t>(i)]));
     const Vector2d ydot = seen ? Vector2d(seen->d_pose * at.twist_b) : Vector2d(Vector2d::Zero());
-    const auto M = line_whitening(camera.shutter, ydot);
+    const auto M = newton_whitening(camera.shutter, ydot);
     if (!seen || !M) {
       ++rows.lost;
       rows.cost += 0.5 * frame_.loss.loss(kLostSigmas * kLostSigmas);

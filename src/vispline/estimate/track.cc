@@ -6,6 +6,7 @@
 
 #include "vispline/estimate/plane_across.h"
 #include "vispline/estimate/reprojection.h"
+#include "vispline/sensors/rolling_shutter.h"
 
 namespace vispline {
 namespace {
@@ -105,7 +106,7 @@ std::optional<Seen> see(const Camera& camera, const PoseSample& at, const Homoge
   const auto image = linearize_reprojection(camera, at.T_w_b, point);
   if (!image) return std::nullopt;
   Seen seen{{}, {}, 1.0, image->d_pose * at.twist_b, *image};
-  const auto M = line_whitening(camera.shutter, seen.ydot);
+  const auto M = newton_whitening(camera.shutter, seen.ydot);
   if (!M) return std::nullopt;
   seen.scale = *M / sigma_px;
   seen.r = seen.scale * (image->px - px);
