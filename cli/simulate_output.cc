@@ -69,7 +69,7 @@ void write_course(const SimulationTask& task) {
   const Stamps images({begin, kCourseCameraRate_hz}, length);
   std::vector<Time> times;
   for (std::size_t i = 0; i < images.size(); ++i) times.push_back(images[i]);
-  write_course({.trajectory = task.trajectory,
+  cli::write_course({.trajectory = task.trajectory,
                 .imu = task.imus[0],
                 .stamps = task.stamps,
                 .images = times,

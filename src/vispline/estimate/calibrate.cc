@@ -209,9 +209,10 @@ class Calibrator {
     quick.covariance = false;
     quick.max_iterations = 8;
     quick.relative_decrease = 1e-3;
-    State state = solve(problem(state_, false, stride), quick).state;
+    Problem first = problem(state_, false, stride);
+    State state = solve(first, quick).state;
     for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
-      const Problem every = problem(state, true, stride);
+      Problem every = problem(state, true, stride);
       const Solution solution = solve(every, quick);
       state = solution.state;
       rescale(sensor_fits(every, solution.state, solution.columns, options_.solve.threads));

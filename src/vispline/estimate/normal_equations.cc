@@ -9,12 +9,16 @@ namespace vispline {
 namespace {
 
 constexpr std::size_t kChunks = 4;
+/// Information that the damping takes a column to have at least: one that nothing was measured of stays where it is.
+constexpr double kLeastInformation = 1e-6;
 
 struct ChunkRange {
   std::size_t begin, end;
   ChunkRange(std::size_t count, std::size_t chunk)
       : begin(count * chunk / kChunks), end(count * (chunk + 1) / kChunks) {}
 };
+
+Eigen::VectorXd damping(const Skyline& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
 
 }  // namespace
 
@@ -91,10 +95,10 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
   }
 }
 
-NormalEquations::Reduced NormalEquations::reduce(double lambda) const {
+NormalEquations::Reduced NormalEquations::reduce(double lambda, double floor) const {
   Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
   const int n = problem_.track_model.size();
-  if (lambda > 0.0) reduced.H.add_to_diagonal(lambda * H_.diagonal());
+  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda).cwiseMax(lambda * floor));
   ProductPanel panel(reduced.H);
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     Eigen::MatrixXd H_l = tracks_[t].H.topLeftCorner(n, n);
@@ -125,19 +129,11 @@ std::optional<Step> NormalEquations::step(double lambda) const {
   Step step;
   step.delta = reduced.H.solve(-reduced.g);
   if (!step.delta.allFinite()) return std::nullopt;
-  const Eigen::VectorXd diagonal = H_.diagonal();
-  double sum = step.delta.dot(lambda * diagonal.cwiseProduct(step.delta) - g_);
-  step.delta_landmark.assign(tracks_.size(), Vector3d::Zero());
+  double sum = step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_);
+  step.delta_landmark = landmarks_of(reduced, step.delta, true);
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
-    const TrackBlock& track = tracks_[t];
-    Eigen::VectorXd rhs = -track.g.head(n);
-    for (std::size_t i = 0; i < track.column.size(); ++i) {
-      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * step.delta(track.column[i]);
-    }
-    const Eigen::MatrixXd L_inverse = reduced.L_inverse[t].topLeftCorner(n, n);
-    const Eigen::VectorXd delta = L_inverse.transpose() * (L_inverse * rhs);
-    step.delta_landmark[t].head(n) = delta;
-    sum += delta.dot(lambda * track.H.diagonal().head(n).cwiseProduct(delta) - track.g.head(n));
+    const Eigen::VectorXd delta = step.delta_landmark[t].head(n);
+    sum += delta.dot(lambda * tracks_[t].H.diagonal().head(n).cwiseProduct(delta) - tracks_[t].g.head(n));
   }
   step.predicted = 0.5 * sum;
   return step;
@@ -151,8 +147,48 @@ std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) 
   return X;
 }
 
-std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
+std::vector<Vector3d> NormalEquations::landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta,
+                                                    bool gradient) const {
+  const int n = problem_.track_model.size();
+  std::vector<Vector3d> landmarks(tracks_.size(), Vector3d::Zero());
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    const TrackBlock& track = tracks_[t];
+    Eigen::VectorXd rhs = gradient ? Eigen::VectorXd(-track.g.head(n)) : Eigen::VectorXd(Eigen::VectorXd::Zero(n));
+    for (std::size_t i = 0; i < track.column.size(); ++i) {
+      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * delta(track.column[i]);
+    }
+    const Eigen::MatrixXd L_inverse = reduced.L_inverse[t].topLeftCorner(n, n);
+    landmarks[t].head(n) = L_inverse.transpose() * (L_inverse * rhs);
+  }
+  return landmarks;
+}
+
+std::vector<Step> NormalEquations::respond(const Eigen::MatrixXd& push) const {
   const Reduced reduced = reduce(0.0);
+  std::vector<Step> steps;
+  if (!reduced.positive) return steps;
+  for (Eigen::Index i = 0; i < push.cols(); ++i) {
+    Step& step = steps.emplace_back();
+    step.delta = reduced.H.solve(push.col(i));
+    step.delta_landmark = landmarks_of(reduced, step.delta, false);
+  }
+  return steps;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
+  // Cholesky of a singular matrix leaves pivots of the size of its rounding, 1e-16 times some thousand.
+  constexpr double kMostInflation = 1e13;
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
+  const double inflation = n == 0 ? 0.0 : covariance.diagonal().cwiseProduct(diagonal().tail(n)).maxCoeff();
+  if (!covariance.allFinite() || inflation > kMostInflation) return std::nullopt;
+  return covariance;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::damped_covariance(int n, double lambda) const {
+  constexpr double kLeastInformation = 1e-12;
+  const Reduced reduced = reduce(lambda, kLeastInformation);
   if (!reduced.positive) return std::nullopt;
   Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
   if (!covariance.allFinite()) return std::nullopt;

@@ -36,7 +36,7 @@ class PoseEstimator {
     quick.max_iterations = 6;
     quick.relative_decrease = 1e-3;
     for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
-      const Problem every = problem(sigmas);
+      Problem every = problem(sigmas);
       const Solution solution = solve(every, quick);
       state_ = solution.state;
       const auto fits = sensor_fits(every, solution.state, solution.columns, options_.solve.threads);

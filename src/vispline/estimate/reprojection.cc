@@ -1,6 +1,7 @@
 #include "vispline/estimate/reprojection.h"
 
 #include "vispline/core/so3.h"
+#include "vispline/sensors/rolling_shutter.h"
 
 namespace vispline {
 
@@ -38,6 +39,14 @@ AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const In
   out.d_T_c_b.row(3).setZero();
   out.d_bearing.row(3).setZero();
   return out;
+}
+
+std::optional<Eigen::Matrix2d> line_whitening(const Camera& camera, const Pose& T_w_b, const Vector6d& twist_b,
+                                              const HomogeneousPoint& point) {
+  if (camera.shutter.line_delay_s == 0.0) return Eigen::Matrix2d(Eigen::Matrix2d::Identity());
+  const auto seen = linearize_reprojection(camera, T_w_b, point);
+  if (!seen) return std::nullopt;
+  return newton_whitening(camera.shutter, seen->d_pose * twist_b);
 }
 
 }  // namespace vispline

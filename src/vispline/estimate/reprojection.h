@@ -35,4 +35,9 @@ struct AnchoredPoint {
 };
 AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const InverseDepthLandmark& landmark);
 
+/// What turns (predicted at the measured line - measured) into the residual of the pixel itself: newton_whitening() for
+/// a point seen from the body at T_w_b that moves with twist_b. Empty also where the lens has no image.
+std::optional<Eigen::Matrix2d> line_whitening(const Camera& camera, const Pose& T_w_b, const Vector6d& twist_b,
+                                              const HomogeneousPoint& point);
+
 }  // namespace vispline

@@ -31,8 +31,9 @@ class Damping {
   double growth_ = 4.0;
 };
 
-void finish(const Problem& problem, const SolveOptions& options, Solution& solution) {
+void finish(Problem& problem, const SolveOptions& options, Solution& solution) {
   if (!options.covariance || solution.status == SolveStatus::kFailed) return;
+  whiten(problem, solution.state, options.threads);
   const NormalEquations last(problem, solution.state, solution.columns, options.threads);
   const int n = solution.columns.layout.columns - solution.columns.layout.first_parameter;
   const auto covariance = last.covariance(n);
@@ -42,20 +43,23 @@ void finish(const Problem& problem, const SolveOptions& options, Solution& solut
 
 }  // namespace
 
-Solution solve(const Problem& problem, const SolveOptions& options) {
+Solution solve(Problem& problem, const SolveOptions& options) {
   Solution solution;
   solution.state = problem.start;
   solution.parameters = problem.parameters;
   solution.columns = assign_columns(solution.state, solution.parameters);
   solution.status = SolveStatus::kIterationLimit;
   Damping damping(options.first_lambda);
+  whiten(problem, solution.state, options.threads);
   CostAt at = cost_at(problem, solution.state, solution.columns, options.threads);
   solution.first_cost = at.cost;
   bool done = !std::isfinite(at.cost);
   if (done) solution.status = SolveStatus::kFailed;
   int iteration = 0;
   while (!done && iteration < options.max_iterations) {
+    whiten(problem, solution.state, options.threads);
     const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
+    at = {equations.cost(), equations.lost()};
     for (bool accepted = false; !accepted && !done && iteration < options.max_iterations;) {
       IterationRow row{++iteration, at.cost, 0.0, 0.0, damping.lambda(), false};
       const auto step = equations.step(damping.lambda());

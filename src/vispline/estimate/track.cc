@@ -6,7 +6,6 @@
 
 #include "vispline/estimate/plane_across.h"
 #include "vispline/estimate/reprojection.h"
-#include "vispline/sensors/rolling_shutter.h"
 
 namespace vispline {
 namespace {
@@ -101,16 +100,17 @@ struct Seen {
   Reprojection image;
 };
 
-std::optional<Seen> see(const Camera& camera, const PoseSample& at, const HomogeneousPoint& point, const Vector2d& px,
-                        double sigma_px, const Huber& loss) {
-  const auto image = linearize_reprojection(camera, at.T_w_b, point);
+std::optional<Seen> see(const State& state, const TrackModel& model, const Track& track, std::size_t sighting,
+                        const PoseSample& at, const HomogeneousPoint& point) {
+  const Sighting& s = track.sightings[sighting];
+  if (!track.whitening.empty() && !track.whitening[sighting]) return std::nullopt;
+  const auto image = linearize_reprojection(state.rig.cameras[s.camera], at.T_w_b, point);
   if (!image) return std::nullopt;
   Seen seen{{}, {}, 1.0, image->d_pose * at.twist_b, *image};
-  const auto M = newton_whitening(camera.shutter, seen.ydot);
-  if (!M) return std::nullopt;
-  seen.scale = *M / sigma_px;
-  seen.r = seen.scale * (image->px - px);
-  seen.root = std::sqrt(loss.weight(seen.r.squaredNorm()));
+  seen.scale = Eigen::Matrix2d::Identity() / model.sigma_px[s.camera];
+  if (!track.whitening.empty()) seen.scale = *track.whitening[sighting] / model.sigma_px[s.camera];
+  seen.r = seen.scale * (image->px - s.px);
+  seen.root = std::sqrt(model.loss.weight(seen.r.squaredNorm()));
   return seen;
 }
 
@@ -124,11 +124,10 @@ struct ReferenceRows {
   LensProjection image{};
 };
 
-std::optional<ReferenceRows> reference_rows(const Reference& reference, const InverseDepthLandmark& landmark,
-                                            const TrackModel& model) {
-  const auto seen = see(*reference.camera, reference.at, reference.anchor.point, reference.sighting->px,
-                        model.sigma_px[reference.sighting->camera], model.loss);
-  const auto image = reference.camera->lens.linearize(landmark.bearing_c);
+std::optional<ReferenceRows> reference_rows(const State& state, const TrackModel& model, const Track& track,
+                                            const Reference& reference) {
+  const auto seen = see(state, model, track, 0, reference.at, reference.anchor.point);
+  const auto image = reference.camera->lens.linearize(state.landmarks[track.landmark].bearing_c);
   if (!seen || !image) return std::nullopt;
   return ReferenceRows{seen->r, seen->scale, seen->root, *image};
 }
@@ -204,9 +203,10 @@ class TrackLinearizer {
   }
 
   TrackBlock run() {
-    for (std::size_t i = 1; i < track_.sightings.size(); ++i) sighting(track_.sightings[i]);
+    for (std::size_t i = 1; i < track_.sightings.size(); ++i) sighting(i);
     point();
     if (model_.unknowns == LandmarkUnknowns::kPoint) reference_pixel();
+    hold_at_infinity();
     return std::move(block_);
   }
 
@@ -219,10 +219,11 @@ class TrackLinearizer {
   }
 
   /// The sighting's own columns at once; what it says of the point is collected in C, S and s.
-  void sighting(const Sighting& s) {
+  void sighting(std::size_t index) {
+    const Sighting& s = track_.sightings[index];
     const Camera& camera = state_.rig.cameras[s.camera];
     const PoseSample at = state_.curve->pose({s.stamp, camera.delay_s(s.px)}, true);
-    const auto seen = see(camera, at, reference_.anchor.point, s.px, model_.sigma_px[s.camera], model_.loss);
+    const auto seen = see(state_, model_, track_, index, at, reference_.anchor.point);
     if (!seen) return lose();
     block_.cost += 0.5 * model_.loss.loss(seen->r.squaredNorm());
     const Sparse<Matrix2X> A = sighting_columns(camera, s, at, *seen, columns_);
@@ -255,7 +256,7 @@ class TrackLinearizer {
   }
 
   void reference_pixel() {
-    const auto rows = reference_rows(reference_, landmark(), model_);
+    const auto rows = reference_rows(state_, model_, track_, reference_);
     if (!rows) return lose();
     block_.cost += 0.5 * model_.loss.loss(rows->r.squaredNorm());
     const Eigen::Matrix2d scale = rows->root * rows->scale;
@@ -274,6 +275,17 @@ class TrackLinearizer {
     add_to(global, J_K.transpose() * r, gradient_);
   }
 
+  /// A point at infinity that wants to go beyond stays there: its inverse distance is no unknown of this step.
+  void hold_at_infinity() {
+    const Eigen::Index rho = n_ - 1;
+    if (landmark().inverse_distance > 0.0 || block_.g(rho) <= 0.0) return;
+    block_.W.row(rho).setZero();
+    block_.H.row(rho).setZero();
+    block_.H.col(rho).setZero();
+    block_.H(rho, rho) = 1.0;
+    block_.g(rho) = 0.0;
+  }
+
   const State& state_;
   const TrackModel& model_;
   const Track& track_;
@@ -289,6 +301,17 @@ class TrackLinearizer {
 };
 
 }  // namespace
+
+void whiten(const State& state, Track& track) {
+  const HomogeneousPoint point = reference_of(state, track, false).anchor.point;
+  track.whitening.resize(track.sightings.size());
+  for (std::size_t i = 0; i < track.sightings.size(); ++i) {
+    const Sighting& s = track.sightings[i];
+    const Camera& camera = state.rig.cameras[s.camera];
+    const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, false);
+    track.whitening[i] = line_whitening(camera, at.T_w_b, at.twist_b, point);
+  }
+}
 
 TrackResiduals evaluate_track(const State& state, const TrackModel& model, const Track& track) {
   const Reference reference = reference_of(state, track, false);
@@ -306,11 +329,11 @@ TrackResiduals evaluate_track(const State& state, const TrackModel& model, const
     const Sighting& s = track.sightings[i];
     const Camera& camera = state.rig.cameras[s.camera];
     const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, false);
-    const auto seen = see(camera, at, reference.anchor.point, s.px, model.sigma_px[s.camera], model.loss);
+    const auto seen = see(state, model, track, i, at, reference.anchor.point);
     seen ? take(i, seen->r) : lose();
   }
   if (model.unknowns == LandmarkUnknowns::kPoint) {
-    const auto rows = reference_rows(reference, state.landmarks[track.landmark], model);
+    const auto rows = reference_rows(state, model, track, reference);
     rows ? take(0, rows->r) : lose();
   }
   return out;
