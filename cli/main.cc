@@ -30,6 +30,8 @@ int run(int argc, char** argv) {
   vispline::cli::add_allan(app);
   vispline::cli::add_evaluate(app);
   vispline::cli::add_export(app);
+  vispline::cli::add_info(app);
+  vispline::cli::add_convert(app);
   vispline::cli::add_demo(app);
   try {
     app.parse(argc, argv);

@@ -159,7 +159,7 @@ void check_inside(const ImuSimulation& simulation, const Stamps& stamps, IndexRa
 }  // namespace
 
 std::size_t simulate_imu(const Trajectory& trajectory, const ImuSimulation& simulation, const Stamps& stamps,
-                         const ImuSink& sink) {
+                         const SimulationSink& sink) {
   require_valid(simulation.imu);
   require(simulation.g_w.allFinite(), "a finite gravity vector");
   require(simulation.block_size > 0, "a block size of at least 1 sample");
