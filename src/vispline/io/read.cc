@@ -134,6 +134,7 @@ ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOpti
 ContentKind content_of(const std::string& path, const ReadOptions& options) {
   if (is_bag(path)) return content_of_bag(ReadContext(path, "samples", options));
   if (is_recorder(path, options)) return ContentKind::kImu;
+  if (holds_both(path, options)) return ContentKind::kBoth;
   ReadContext context(measurement_file(path, options, SensorKind::kAny), "samples", options);
   TextLines lines(context);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));

@@ -106,6 +106,16 @@ std::vector<SensorFile> sensors_of_interest(const std::string& folder) {
   return known.empty() ? all : known;
 }
 
+bool holds_both(const std::string& path, const ReadOptions& options) {
+  std::error_code error;
+  if (!options.topic.empty() || !fs::is_directory(path, error)) return false;
+  const std::vector<SensorFile> sensors = sensor_files(path);
+  const auto any = [&](SensorKind kind) {
+    return std::ranges::any_of(sensors, [&](const SensorFile& s) { return is_of(s.name, kind); });
+  };
+  return any(SensorKind::kImu) && any(SensorKind::kPoses);
+}
+
 std::string measurement_file(const std::string& path, const ReadOptions& options, SensorKind kind) {
   const bool has_topic = !options.topic.empty() || !options.gyro_topic.empty() || !options.accel_topic.empty();
   std::error_code error;
