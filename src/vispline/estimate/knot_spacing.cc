@@ -14,6 +14,7 @@ namespace {
 constexpr std::array kSpacings_s{0.2, 0.15, 0.1, 0.08, 0.06, 0.05, 0.04, 0.03, 0.025, 0.02, 0.015, 0.01};
 constexpr std::size_t kWindow = 1024;  // samples of one spectrum
 constexpr double kTopShare = 0.2;      // of the band, at its upper end, that is taken for noise
+constexpr double kSurelyMotion = 3.0;  // noise powers: what a bin of noise alone hardly reaches
 constexpr double kFewestSamples = 64;
 
 /// What a spline of degree L - 1 leaves of a sinusoid, relative to it: sqrt(|B_2L| / (2L)!) (2 pi f spacing)^L, no more
@@ -73,7 +74,7 @@ double loss(const Spectrum& s, double noise, double spacing_s, int L) {
   double sum = 0.0;
   for (std::size_t k = 1; k < s.power.size(); ++k) {
     const double left = left_over(static_cast<double>(k) * s.step_hz, spacing_s, L);
-    sum += left * left * std::max(0.0, s.power[k] - noise);
+    if (s.power[k] > kSurelyMotion * noise) sum += left * left * (s.power[k] - noise);
   }
   return std::sqrt(sum);
 }

@@ -20,6 +20,6 @@ struct KnotSpacingChoice {
 /// The longest spacing, from 0.2 s down to 0.01 s, at which a spline of this order leaves less of the motion than
 /// `share` of the noise of one sample. The angular rate is a first derivative of the curve and specific force a second
 /// one, so that they are splines of orders one and two lower.
-KnotSpacingChoice choose_knot_spacing(const ImuSignal& imu, int order = 4, double share = 0.3);
+KnotSpacingChoice choose_knot_spacing(const ImuSignal& imu, int order = 4, double share = 0.35);
 
 }  // namespace vispline
