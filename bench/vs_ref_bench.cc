@@ -51,7 +51,7 @@ int scalars(const Problem& problem, const VsRef& data) {
 }
 
 Row run(const VsRef& data, const VsRefSetup& setup, Engine engine) {
-  const Problem problem = vs_ref_problem(data, setup);
+  Problem problem = vs_ref_problem(data, setup);
   SolveOptions options;
   options.engine = engine;
   options.relative_decrease = 1e-6;

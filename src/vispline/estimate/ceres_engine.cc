@@ -21,7 +21,6 @@ using through_ceres::Evaluation;
 using through_ceres::Residuals;
 
 constexpr int kMostDenseColumns = 1500;  // beyond, a sparse factor is faster
-constexpr int kMostBindings = 20;
 
 /// Unknowns x around the base state, perturbed on the right of where they are; derivatives are taken there as well.
 class Perturbation final : public ceres::Manifold {
@@ -263,21 +262,23 @@ SolveStatus status_of(const ceres::Solver::Summary& summary, const Progress& pro
 
 }  // namespace
 
-void minimize_with_ceres(const Problem& problem, const SolveOptions& options, Solution& solution) {
+void minimize_with_ceres(Problem& problem, const SolveOptions& options, Solution& solution) {
   Progress progress(options, solution);
+  whiten(problem, solution.state, options.threads);
   solution.first_cost = cost_at(problem, solution.state, solution.columns, options.threads).cost;
-  for (int round = 0; round < kMostBindings; ++round) {
-    const int left = options.max_iterations - static_cast<int>(solution.iterations.size());
+  for (bool again = true; again;) {
+    whiten(problem, solution.state, options.threads);
+    const std::size_t before = solution.iterations.size();
     Binding binding(problem, solution, options.threads);
-    ceres::Solver::Options ceres = ceres_options(problem, options, binding, solution.columns.layout.columns, left);
+    ceres::Solver::Options ceres = ceres_options(problem, options, binding, solution.columns.layout.columns,
+                                                 options.max_iterations - static_cast<int>(before));
     ceres.callbacks.push_back(&progress);
     ceres::Solver::Summary summary;
     ceres::Solve(ceres, &binding.ceres(), &summary);
     solution.status = status_of(summary, progress);
-    State next = binding.state();
-    const bool again = binding.moved_out() && solution.status == SolveStatus::kConverged;
-    if (solution.status != SolveStatus::kFailed) solution.state = std::move(next);
-    if (!again) break;
+    if (solution.status != SolveStatus::kFailed) solution.state = binding.state();
+    const bool moved = binding.moved_out() || solution.iterations.size() > before + 1;
+    again = moved && solution.status == SolveStatus::kConverged;
   }
   const CostAt at = cost_at(problem, solution.state, solution.columns, options.threads);
   solution.cost = at.cost;

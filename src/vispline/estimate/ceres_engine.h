@@ -7,6 +7,6 @@
 namespace vispline {
 
 /// Moves solution.state, whose columns are assigned, to the minimum; fills all but rank and covariance.
-void minimize_with_ceres(const Problem& problem, const SolveOptions& options, Solution& solution);
+void minimize_with_ceres(Problem& problem, const SolveOptions& options, Solution& solution);
 
 }  // namespace vispline

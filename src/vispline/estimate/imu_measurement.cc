@@ -29,6 +29,10 @@ class ImuRows final : public Measurement {
 
   std::vector<std::string> sensors() const override { return {name_ + ".gyroscope", name_ + ".accelerometer"}; }
   std::size_t sensor_of(Eigen::Index row) const override { return row % 6 < 3 ? 0 : 1; }
+  SensorScale scale_of(std::size_t sensor) const override {
+    return sensor == 0 ? SensorScale{"rad/s", batch_.sigma.gyro} : SensorScale{"m/s^2", batch_.sigma.accel};
+  }
+  RowOrigin origin_of(Eigen::Index row) const override { return {time(row / 6), static_cast<int>(row % 3)}; }
   Time time() const override { return batch_.time.front(); }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,20 @@ struct Rows {
   void allocate_jacobian() { J.setZero(r.size(), static_cast<Eigen::Index>(column.size())); }
 };
 
-/// Readings of one sensor over a short time. Immutable; any thread may evaluate it.
+/// What a sensor's residuals are in, and how large one of their numbers was assumed to be.
+struct SensorScale {
+  std::string unit{};
+  double sigma = 0.0;  ///< 0: not a reading of an instrument, or one that is not used
+};
+
+/// Where a row comes from.
+struct RowOrigin {
+  Time time{};                   ///< on the clock of the sensor
+  int component = 0;             ///< of the reading: 0, 1, 2 for x, y, z
+  std::optional<Vector2d> px{};  ///< where in the image
+};
+
+/// Readings of one sensor over a short time. Any thread may evaluate it.
 class Measurement {
  public:
   virtual ~Measurement() = default;
@@ -52,8 +66,14 @@ class Measurement {
   virtual std::vector<std::string> sensors() const = 0;
   /// Index into sensors() of a row.
   virtual std::size_t sensor_of(Eigen::Index /*row*/) const { return 0; }
+  virtual SensorScale scale_of(std::size_t /*sensor*/) const { return {}; }
+  virtual RowOrigin origin_of(Eigen::Index /*row*/) const { return {time()}; }
+  /// Rows that hold what nothing measures; no noise is behind them.
+  virtual bool only_holds() const { return false; }
   /// When the rows were measured, on the clock of the sensor: orders residuals in time.
   virtual Time time() const = 0;
+  /// Fixes what weighs the rows by the state it depends on, until the next call: line_whitening() of a rolling shutter.
+  virtual void whiten(const State& /*state*/) {}
   virtual void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const = 0;
 };
 

@@ -21,10 +21,7 @@ struct ChunkRange {
 
 Eigen::VectorXd damping(const Skyline& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
 
-template <int kSize>
-Eigen::Matrix<double, kSize, 1> landmark_damping(const TrackBlock& track, double lambda) {
-  return lambda * track.H.diagonal().head<kSize>().cwiseMax(kLeastInformation);
-}
+Vector3d damping(const Eigen::Matrix3d& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
 
 }  // namespace
 
@@ -111,7 +108,7 @@ bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const TrackBlock& track = tracks_[t];
     Square H_l = track.H.topLeftCorner<kSize, kSize>();
-    H_l.diagonal() += landmark_damping<kSize>(track, lambda);
+    H_l.diagonal() += damping(track.H, lambda).head<kSize>();
     const Eigen::LLT<Square> cholesky(H_l);
     if (cholesky.info() != Eigen::Success) return false;
     const Square L_inverse = cholesky.matrixL().solve(Square::Identity());
@@ -127,45 +124,61 @@ bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
   return true;
 }
 
-NormalEquations::Reduced NormalEquations::reduce(double lambda) const {
+NormalEquations::Reduced NormalEquations::reduce(double lambda, double floor) const {
   Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
-  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda));
+  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda).cwiseMax(lambda * floor));
   const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
   reduced.positive = (point ? eliminate<3>(lambda, reduced) : eliminate<1>(lambda, reduced)) && reduced.H.factor();
   return reduced;
 }
 
 template <int kSize>
-double NormalEquations::substitute(double lambda, const Reduced& reduced, Step& step) const {
+void NormalEquations::substitute(const Reduced& reduced, const Eigen::VectorXd& delta, bool gradient,
+                                 std::vector<Vector3d>& landmarks) const {
   using Vector = Eigen::Matrix<double, kSize, 1>;
-  double sum = 0.0;
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const TrackBlock& track = tracks_[t];
-    Vector rhs = -track.g.head<kSize>();
+    Vector rhs = gradient ? Vector(-track.g.head<kSize>()) : Vector(Vector::Zero());
     for (std::size_t i = 0; i < track.column.size(); ++i) {
-      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * step.delta(track.column[i]);
+      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * delta(track.column[i]);
     }
     const Eigen::Matrix<double, kSize, kSize> L_inverse = reduced.L_inverse[t].topLeftCorner<kSize, kSize>();
-    Vector delta = L_inverse.transpose() * (L_inverse * rhs);
-    sum += delta.dot(landmark_damping<kSize>(track, lambda).cwiseProduct(delta) - track.g.head<kSize>());
-    for (std::size_t i = 0; i < track.carried.size(); ++i) {
-      delta -= track.carry.col(static_cast<Eigen::Index>(i)) * step.delta(track.carried[i]);
-    }
-    step.delta_landmark[t].head<kSize>() = delta;
+    landmarks[t].head<kSize>() = L_inverse.transpose() * (L_inverse * rhs);
   }
-  return sum;
+}
+
+std::vector<Vector3d> NormalEquations::landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta,
+                                                    bool gradient) const {
+  std::vector<Vector3d> landmarks(tracks_.size(), Vector3d::Zero());
+  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  point ? substitute<3>(reduced, delta, gradient, landmarks) : substitute<1>(reduced, delta, gradient, landmarks);
+  return landmarks;
+}
+
+void NormalEquations::carry(const Eigen::VectorXd& delta, std::vector<Vector3d>& landmarks) const {
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    for (std::size_t i = 0; i < tracks_[t].carried.size(); ++i) {
+      landmarks[t] -= tracks_[t].carry.col(static_cast<Eigen::Index>(i)) * delta(tracks_[t].carried[i]);
+    }
+  }
 }
 
 std::optional<Step> NormalEquations::step(double lambda) const {
   const Reduced reduced = reduce(lambda);
   if (!reduced.positive) return std::nullopt;
+  const int n = problem_.track_model.size();
   Step step;
   step.delta = reduced.H.solve(-reduced.g);
   if (!step.delta.allFinite()) return std::nullopt;
-  step.delta_landmark.assign(tracks_.size(), Vector3d::Zero());
-  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
-  const double landmarks = point ? substitute<3>(lambda, reduced, step) : substitute<1>(lambda, reduced, step);
-  step.predicted = 0.5 * (step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_) + landmarks);
+  double sum = step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_);
+  step.delta_landmark = landmarks_of(reduced, step.delta, true);
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    const Vector3d& delta = step.delta_landmark[t];
+    const Vector3d damped = damping(tracks_[t].H, lambda).cwiseProduct(delta) - tracks_[t].g;
+    sum += delta.head(n).dot(damped.head(n));
+  }
+  step.predicted = 0.5 * sum;
+  carry(step.delta, step.delta_landmark);
   return step;
 }
 
@@ -177,8 +190,33 @@ std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) 
   return X;
 }
 
-std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
+std::vector<Step> NormalEquations::respond(const Eigen::MatrixXd& push) const {
   const Reduced reduced = reduce(0.0);
+  std::vector<Step> steps;
+  if (!reduced.positive) return steps;
+  for (Eigen::Index i = 0; i < push.cols(); ++i) {
+    Step& step = steps.emplace_back();
+    step.delta = reduced.H.solve(push.col(i));
+    step.delta_landmark = landmarks_of(reduced, step.delta, false);
+    carry(step.delta, step.delta_landmark);
+  }
+  return steps;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
+  // Cholesky of a singular matrix leaves pivots of the size of its rounding, 1e-16 times some thousand.
+  constexpr double kMostInflation = 1e13;
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
+  const double inflation = n == 0 ? 0.0 : covariance.diagonal().cwiseProduct(diagonal().tail(n)).maxCoeff();
+  if (!covariance.allFinite() || inflation > kMostInflation) return std::nullopt;
+  return covariance;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::damped_covariance(int n, double lambda) const {
+  constexpr double kLeastInformation = 1e-12;
+  const Reduced reduced = reduce(lambda, kLeastInformation);
   if (!reduced.positive) return std::nullopt;
   Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
   if (!covariance.allFinite()) return std::nullopt;

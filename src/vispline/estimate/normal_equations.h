@@ -33,8 +33,17 @@ class NormalEquations {
   std::optional<Step> step(double lambda) const;
   /// H^-1 B for the columns of the system, the landmarks eliminated; empty if H is not positive definite.
   std::optional<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B) const;
-  /// Covariance of the last n columns; empty if the information matrix does not have full rank.
+  /// Covariance of the last n columns; empty if the information matrix does not have full rank: not positive definite,
+  /// or a variance that has grown beyond what double can tell from infinity.
   std::optional<Eigen::MatrixXd> covariance(int n) const;
+  /// As covariance(), of the system damped by lambda (floored where nothing is measured): directions that are not
+  /// measured have variances of order 1 / lambda, over the diagonal of the information.
+  std::optional<Eigen::MatrixXd> damped_covariance(int n, double lambda) const;
+  /// Where everything moves when the gradient is pushed by each column of `push`: H^-1 push, landmarks eliminated.
+  /// Empty if the matrix is not positive definite.
+  std::vector<Step> respond(const Eigen::MatrixXd& push) const;
+  /// Information of each unknown when all others are known.
+  Eigen::VectorXd diagonal() const { return H_.diagonal(); }
 
  private:
   struct Reduced {
@@ -43,13 +52,17 @@ class NormalEquations {
     std::vector<Eigen::Matrix3d> L_inverse;  ///< of each track
     bool positive = false;
   };
-  Reduced reduce(double lambda) const;
+  Reduced reduce(double lambda, double floor = 0.0) const;
   /// Takes the landmarks of kSize unknowns out of the system; false if they have no unique solution.
   template <int kSize>
   bool eliminate(double lambda, Reduced& reduced) const;
-  /// Landmarks after all else is known; returns their share of twice the predicted decrease.
+  /// Where the landmarks move once all else is known, in the sense of TrackBlock.
+  std::vector<Vector3d> landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta, bool gradient) const;
   template <int kSize>
-  double substitute(double lambda, const Reduced& reduced, Step& step) const;
+  void substitute(const Reduced& reduced, const Eigen::VectorXd& delta, bool gradient,
+                  std::vector<Vector3d>& landmarks) const;
+  /// From there to the landmarks' own perturbations.
+  void carry(const Eigen::VectorXd& delta, std::vector<Vector3d>& landmarks) const;
 
   const Problem& problem_;
   Skyline H_;

@@ -1,6 +1,6 @@
 #include "vispline/estimate/pnp.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "vispline/core/se3.h"
@@ -27,7 +27,7 @@ struct Frame {
     for (const Vector3d& p : points) T_t_f.p += p / static_cast<double>(points.size());
     Matrix3d scatter = Matrix3d::Zero();
     for (const Vector3d& p : points) scatter += (p - T_t_f.p) * (p - T_t_f.p).transpose();
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(scatter);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scatter);
     T_t_f.R.col(0) = axes.eigenvectors().col(2);
     T_t_f.R.col(1) = axes.eigenvectors().col(1);
     T_t_f.R.col(2) = T_t_f.R.col(0).cross(T_t_f.R.col(1));
@@ -54,7 +54,7 @@ Eigen::Matrix<double, 3, kCoordinates> direct_linear(const Rays& rays, const Pos
     for (int k = 0; k < kCoordinates; ++k) A.template middleCols<3>(3 * k) = X(k) * cross;
     normal += A.transpose() * A;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, kSize, kSize>> eigen(normal);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(normal);
   const Eigen::Matrix<double, kSize, 1> least = eigen.eigenvectors().col(0);
   Eigen::Matrix<double, 3, kCoordinates> P = least.template reshaped<Eigen::ColMajor>(3, kCoordinates);
   double front = 0.0;
@@ -62,11 +62,12 @@ Eigen::Matrix<double, 3, kCoordinates> direct_linear(const Rays& rays, const Pos
   return front < 0.0 ? Eigen::Matrix<double, 3, kCoordinates>(-P) : P;
 }
 
+/// M (M^T M)^-1/2; for a mirrored M the axis of least extent is turned round.
 Matrix3d nearest_rotation(const Matrix3d& M) {
-  const Eigen::JacobiSVD<Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Matrix3d R = svd.matrixU() * svd.matrixV().transpose();
-  if (R.determinant() < 0.0) R = svd.matrixU() * Vector3d(1.0, 1.0, -1.0).asDiagonal() * svd.matrixV().transpose();
-  return R;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> square(M.transpose() * M);
+  Vector3d inverse = square.eigenvalues().cwiseSqrt().cwiseInverse();
+  if (M.determinant() < 0.0) inverse(0) = -inverse(0);
+  return M * square.eigenvectors() * inverse.asDiagonal() * square.eigenvectors().transpose();
 }
 
 /// T_c_t without noise model.
@@ -114,7 +115,7 @@ double refine(const Camera& camera, const std::vector<Vector2d>& px, const std::
     H += weight * J.transpose() * J;
     g += weight * J.transpose() * r;
   }
-  const Vector6d delta = -H.ldlt().solve(g);
+  const Vector6d delta = -H.llt().solve(g);
   if (delta.allFinite()) T_c_t = T_c_t * SE3::exp<double>(delta);
   return inliers > 0 ? std::sqrt(sum / (2.0 * inliers)) : 0.0;
 }

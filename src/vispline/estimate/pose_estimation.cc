@@ -29,14 +29,17 @@ class PoseEstimator {
   }
 
   Estimation run() {
+    const double begin = processor_time_s();
     start();
+    const double started = processor_time_s();
+    result_.cpu_s.emplace_back("start", started - begin);
     Sigmas sigmas{sigma_of(state_.rig.imus[0])};
     SolveOptions quick = options_.solve;
     quick.covariance = false;
     quick.max_iterations = 6;
     quick.relative_decrease = 1e-3;
     for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
-      const Problem every = problem(sigmas);
+      Problem every = problem(sigmas);
       const Solution solution = solve(every, quick);
       state_ = solution.state;
       const auto fits = sensor_fits(every, solution.state, solution.columns, options_.solve.threads);
@@ -46,6 +49,7 @@ class PoseEstimator {
     }
     result_.problem = problem(sigmas);
     result_.solution = solve(result_.problem, options_.solve);
+    result_.cpu_s.emplace_back("solve", processor_time_s() - started);
     return std::move(result_);
   }
 

@@ -13,6 +13,12 @@ class PoseRows final : public Measurement {
 
   std::vector<std::string> sensors() const override { return {name_ + ".position", name_ + ".rotation"}; }
   std::size_t sensor_of(Eigen::Index row) const override { return row % 6 < 3 ? 0 : 1; }
+  SensorScale scale_of(std::size_t sensor) const override {
+    return sensor == 0 ? SensorScale{"m", batch_.position_sigma_m} : SensorScale{"rad", batch_.rotation_sigma_rad};
+  }
+  RowOrigin origin_of(Eigen::Index row) const override {
+    return {batch_.time[static_cast<std::size_t>(row / 6)], static_cast<int>(row % 3)};
+  }
   Time time() const override { return batch_.time.front(); }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
@@ -88,6 +94,7 @@ class GaugeRows final : public Measurement {
   explicit GaugeRows(const Gauge& gauge) : gauge_(gauge) {}
 
   std::vector<std::string> sensors() const override { return {"gauge"}; }
+  bool only_holds() const override { return true; }
   Time time() const override { return gauge_.time; }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {

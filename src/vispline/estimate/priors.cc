@@ -68,6 +68,7 @@ class SmoothnessRows final : public Measurement {
       : smoothness_(smoothness), first_(first), last_(last) {}
 
   std::vector<std::string> sensors() const override { return {"smoothness"}; }
+  bool only_holds() const override { return true; }
   Time time() const override { return {}; }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {

@@ -19,6 +19,9 @@ struct Problem {
   TrackModel track_model{};
 };
 
+/// Fixes the weights of all rows by the state; the same for any number of threads.
+void whiten(Problem& problem, const State& state, std::size_t threads);
+
 /// Gives every free unknown its columns: knots and bias nodes in the order of time, then parameters.
 Columns assign_columns(const State& state, std::vector<Parameter>& parameters);
 

@@ -32,8 +32,9 @@ class Damping {
   double growth_ = 4.0;
 };
 
-void finish(const Problem& problem, const SolveOptions& options, Solution& solution) {
+void finish(Problem& problem, const SolveOptions& options, Solution& solution) {
   if (!options.covariance || solution.status == SolveStatus::kFailed) return;
+  whiten(problem, solution.state, options.threads);
   const NormalEquations last(problem, solution.state, solution.columns, options.threads);
   const int n = solution.columns.layout.columns - solution.columns.layout.first_parameter;
   const auto covariance = last.covariance(n);
@@ -41,15 +42,18 @@ void finish(const Problem& problem, const SolveOptions& options, Solution& solut
   if (covariance) solution.covariance = *covariance;
 }
 
-void minimize(const Problem& problem, const SolveOptions& options, Solution& solution) {
+void minimize(Problem& problem, const SolveOptions& options, Solution& solution) {
   Damping damping(options.first_lambda);
+  whiten(problem, solution.state, options.threads);
   CostAt at = cost_at(problem, solution.state, solution.columns, options.threads);
   solution.first_cost = at.cost;
   bool done = !std::isfinite(at.cost);
   if (done) solution.status = SolveStatus::kFailed;
   int iteration = 0;
   while (!done && iteration < options.max_iterations) {
+    whiten(problem, solution.state, options.threads);
     const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
+    at = {equations.cost(), equations.lost()};
     for (bool accepted = false; !accepted && !done && iteration < options.max_iterations;) {
       IterationRow row{++iteration, at.cost, 0.0, 0.0, damping.lambda(), false};
       const auto step = equations.step(damping.lambda());
@@ -91,7 +95,7 @@ void minimize(const Problem& problem, const SolveOptions& options, Solution& sol
 
 }  // namespace
 
-Solution solve(const Problem& problem, const SolveOptions& options) {
+Solution solve(Problem& problem, const SolveOptions& options) {
   Solution solution;
   solution.state = problem.start;
   solution.parameters = problem.parameters;

@@ -26,8 +26,8 @@ enum class Engine {
 struct SolveOptions {
   Engine engine = Engine::kOwn;
   int max_iterations = 50;
-  double least_decrease = 1e-6;  ///< converged when a step promises less: 1e-6 is a step of 0.0014 sigma in all
-  double relative_decrease = 1e-10;
+  double least_decrease = 1e-5;  ///< converged when a step promises less: 1e-5 is a step of 0.0045 sigma in all
+  double relative_decrease = 1e-9;
   double first_lambda = 1e-6;
   std::size_t threads = 1;                              ///< does not change a byte of the result
   std::function<bool(const IterationRow&)> progress{};  ///< false: stop and keep the best state so far
@@ -48,6 +48,8 @@ struct Solution {
   Eigen::MatrixXd covariance{};  ///< of the parameters that are not fixed, in their order; empty without full rank
 };
 
-Solution solve(const Problem& problem, const SolveOptions& options);
+/// The weights that depend on the state are fixed anew before every linearisation: what is solved is the estimating
+/// equation, not the minimum over a moving metric. The problem keeps the weights of the solution.
+Solution solve(Problem& problem, const SolveOptions& options);
 
 }  // namespace vispline

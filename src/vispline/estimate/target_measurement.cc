@@ -19,10 +19,24 @@ struct CameraLocal {
 
 class TargetRows final : public Measurement {
  public:
-  TargetRows(std::string name, TargetFrame frame) : name_(std::move(name)), frame_(std::move(frame)) {}
+  TargetRows(std::string name, TargetFrame frame)
+      : name_(std::move(name)), frame_(std::move(frame)), whitening_(frame_.px.size(), Eigen::Matrix2d::Identity()) {}
 
   std::vector<std::string> sensors() const override { return {name_}; }
+  SensorScale scale_of(std::size_t /*sensor*/) const override { return {"px", frame_.sigma_px}; }
+  RowOrigin origin_of(Eigen::Index row) const override {
+    return {frame_.stamp, static_cast<int>(row % 2), px(row / 2)};
+  }
   Time time() const override { return frame_.stamp; }
+
+  void whiten(const State& state) override {
+    const Camera& camera = state.rig.cameras[frame_.camera];
+    if (camera.shutter.line_delay_s == 0.0) return;
+    for (std::size_t i = 0; i < frame_.px.size(); ++i) {
+      const PoseSample at = state.curve->pose({frame_.stamp, camera.delay_s(frame_.px[i])}, false);
+      whitening_[i] = line_whitening(camera, at.T_w_b, at.twist_b, HomogeneousPoint::known(frame_.point[i]));
+    }
+  }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
     const Camera& camera = state.rig.cameras[frame_.camera];
@@ -60,8 +74,7 @@ class TargetRows final : public Measurement {
              const CameraLocal& local, Rows& rows) const {
     const auto seen =
         linearize_reprojection(camera, at.T_w_b, HomogeneousPoint::known(frame_.point[static_cast<std::size_t>(i)]));
-    const Vector2d ydot = seen ? Vector2d(seen->d_pose * at.twist_b) : Vector2d(Vector2d::Zero());
-    const auto M = line_whitening(camera.shutter, ydot);
+    const auto& M = whitening_[static_cast<std::size_t>(i)];
     if (!seen || !M) {
       ++rows.lost;
       rows.cost += 0.5 * frame_.loss.loss(kLostSigmas * kLostSigmas);
@@ -74,6 +87,7 @@ class TargetRows final : public Measurement {
     rows.cost += 0.5 * frame_.loss.loss(r.squaredNorm());
     rows.weight.segment<2>(2 * i).setConstant(frame_.loss.weight(r.squaredNorm()));
     if (!derivatives) return;
+    const Vector2d ydot = seen->d_pose * at.twist_b;
     const Matrix2x6 d_pose = scale * seen->d_pose;
     knots.add((d_pose * at.d_knots.J).eval(), at.d_knots.first, 2 * i, rows.J);
     const auto put = [&](int column, const auto& block) {
@@ -88,6 +102,7 @@ class TargetRows final : public Measurement {
 
   std::string name_;
   TargetFrame frame_;
+  std::vector<std::optional<Eigen::Matrix2d>> whitening_;  ///< empty: not to be predicted
 };
 
 }  // namespace

@@ -28,13 +28,16 @@ class TrackLinearizer {
   }
 
   TrackBlock run() {
-    for (std::size_t i = 1; i < track_.sightings.size(); ++i) sighting(track_.sightings[i]);
+    for (std::size_t i = 1; i < track_.sightings.size(); ++i) sighting(i);
     const Sparse<Matrix4X> Q = reference_columns(reference_, model_, columns_);
-    const auto Q_l = landmark_columns(reference_.anchor, model_, landmark().bearing_c);
+    const LandmarkRows Q_l = landmark_columns(reference_.anchor, model_, landmark().bearing_c);
     block_.W = Q_l.transpose().lazyProduct(C_);
     block_.H.topLeftCorner(n_, n_) = Q_l.transpose() * S_ * Q_l;
     block_.g.head(n_) = Q_l.transpose() * s_;
-    model_.unknowns == LandmarkUnknowns::kPoint ? carried_by_reference(Q, Q_l) : along_reference_ray(Q, Q_l);
+    const bool point = model_.unknowns == LandmarkUnknowns::kPoint, held = wants_beyond_infinity();
+    point && !held ? carry(Q, Q_l) : along_with_reference(Q, Q_l);
+    if (point) reference_pixel(Q);
+    if (held) hold_at_infinity();
     return std::move(block_);
   }
 
@@ -57,10 +60,11 @@ class TrackLinearizer {
   }
 
   /// The sighting's own columns at once; what it says of the point is collected in C, S and s.
-  void sighting(const Sighting& s) {
+  void sighting(std::size_t index) {
+    const Sighting& s = track_.sightings[index];
     const Camera& camera = state_.rig.cameras[s.camera];
     const PoseSample at = state_.curve->pose({s.stamp, camera.delay_s(s.px)}, true);
-    const auto seen = see(camera, at, reference_.anchor.point, s.px, model_.sigma_px[s.camera], model_.loss);
+    const auto seen = see(state_, model_, track_, index, at, reference_.anchor.point);
     if (!seen) return lose();
     block_.cost += 0.5 * model_.loss.loss(seen->r.squaredNorm());
     const Sparse<Matrix2X> A = sighting_columns(camera, s, at, *seen, columns_);
@@ -74,8 +78,8 @@ class TrackLinearizer {
     s_ += q.transpose() * r;
   }
 
-  /// A landmark on an exact ray: the point depends on the reference view and on the landmark.
-  void along_reference_ray(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
+  /// The point itself depends on the reference view and on the landmark.
+  void along_with_reference(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
     const std::vector<int> global = global_columns(Q.local, block_.column);
     system_.add(global, Q.J.transpose() * S_ * Q.J);
     add_to(global, Q.J.transpose() * s_, gradient_);
@@ -87,21 +91,27 @@ class TrackLinearizer {
     }
   }
 
-  /// A point that has its own three unknowns. The reference view moves it as the landmark could: Q = Q_l carry, up to a
-  /// multiple of the homogeneous point, which no image sees. What is left of that view is the residual of its pixel.
-  void carried_by_reference(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
+  /// A point has its own three unknowns, and the reference view moves it as these could: Q = Q_l carry, up to a
+  /// multiple of the homogeneous point, which no image sees. Counted in the world, the point does not depend on that
+  /// view.
+  void carry(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
     const HomogeneousPoint& point = reference_.anchor.point;
     Eigen::Matrix4d basis;
     basis << Q_l, (Eigen::Vector4d() << point.direction_w, point.inverse_distance).finished();
     block_.carry = (basis.inverse() * Q.J).topRows<3>();
     block_.carried = global_columns(Q.local, block_.column);
-    const auto rows = reference_rows(reference_, landmark(), model_);
+  }
+
+  /// Only the bearing and the lens move it; the bearing is the point in the world less what the view carries.
+  void reference_pixel(const Sparse<Matrix4X>& Q) {
+    const auto rows = reference_rows(state_, model_, track_, reference_);
     if (!rows) return lose();
     block_.cost += 0.5 * model_.loss.loss(rows->r.squaredNorm());
     const Eigen::Matrix2d scale = rows->root * rows->scale;
     const Vector2d r = rows->root * rows->r;
     const Eigen::Matrix2d J_l = scale * rows->image.d_point * plane_across(landmark().bearing_c);
-    Sparse<Matrix2X> A{Q.local, -J_l * block_.carry.topRows<2>()};
+    Sparse<Matrix2X> A;
+    if (!block_.carried.empty()) A = {Q.local, -J_l * block_.carry.topRows<2>()};
     A.append(columns_.camera(reference_.sighting->camera).intrinsics, (scale * rows->image.d_params).eval());
     add(A, r);
     for (std::size_t i = 0; i < A.local.size(); ++i) {
@@ -109,6 +119,18 @@ class TrackLinearizer {
     }
     block_.H.topLeftCorner<2, 2>() += J_l.transpose() * J_l;
     block_.g.head<2>() += J_l.transpose() * r;
+  }
+
+  bool wants_beyond_infinity() const { return landmark().inverse_distance <= 0.0 && block_.g(n_ - 1) > 0.0; }
+
+  /// A point at infinity that wants to go beyond stays there: its inverse distance is no unknown of this step.
+  void hold_at_infinity() {
+    const Eigen::Index rho = n_ - 1;
+    block_.W.row(rho).setZero();
+    block_.H.row(rho).setZero();
+    block_.H.col(rho).setZero();
+    block_.H(rho, rho) = 1.0;
+    block_.g(rho) = 0.0;
   }
 
   const State& state_;
@@ -130,6 +152,17 @@ class TrackLinearizer {
 
 }  // namespace
 
+void whiten(const State& state, Track& track) {
+  const HomogeneousPoint point = reference_of(state, track, false).anchor.point;
+  track.whitening.resize(track.sightings.size());
+  for (std::size_t i = 0; i < track.sightings.size(); ++i) {
+    const Sighting& s = track.sightings[i];
+    const Camera& camera = state.rig.cameras[s.camera];
+    const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, false);
+    track.whitening[i] = line_whitening(camera, at.T_w_b, at.twist_b, point);
+  }
+}
+
 TrackResiduals evaluate_track(const State& state, const TrackModel& model, const Track& track) {
   const Reference reference = reference_of(state, track, false);
   TrackResiduals out;
@@ -146,11 +179,11 @@ TrackResiduals evaluate_track(const State& state, const TrackModel& model, const
     const Sighting& s = track.sightings[i];
     const Camera& camera = state.rig.cameras[s.camera];
     const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, false);
-    const auto seen = see(camera, at, reference.anchor.point, s.px, model.sigma_px[s.camera], model.loss);
+    const auto seen = see(state, model, track, i, at, reference.anchor.point);
     seen ? take(i, seen->r) : lose();
   }
   if (model.unknowns == LandmarkUnknowns::kPoint) {
-    const auto rows = reference_rows(reference, state.landmarks[track.landmark], model);
+    const auto rows = reference_rows(state, model, track, reference);
     rows ? take(0, rows->r) : lose();
   }
   return out;

@@ -2,6 +2,7 @@
 /// Tracks.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "vispline/estimate/measurement.h"
@@ -19,7 +20,11 @@ struct Sighting {
 struct Track {
   std::size_t landmark = 0;  ///< of the state
   std::vector<Sighting> sightings{};
+  std::vector<std::optional<Eigen::Matrix2d>> whitening{};  ///< of each; none at all: identity; see whiten()
 };
+
+/// Fixes line_whitening() of every sighting by the state, until the next call.
+void whiten(const State& state, Track& track);
 
 enum class LandmarkUnknowns {
   kInverseDepth,  ///< the paper's: one, along the ray of the reference pixel, which counts as exact

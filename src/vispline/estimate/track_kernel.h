@@ -102,16 +102,17 @@ struct Seen {
   Reprojection image;
 };
 
-inline std::optional<Seen> see(const Camera& camera, const PoseSample& at, const HomogeneousPoint& point,
-                               const Vector2d& px, double sigma_px, const Huber& loss) {
-  const auto image = linearize_reprojection(camera, at.T_w_b, point);
+inline std::optional<Seen> see(const State& state, const TrackModel& model, const Track& track, std::size_t sighting,
+                               const PoseSample& at, const HomogeneousPoint& point) {
+  const Sighting& s = track.sightings[sighting];
+  if (!track.whitening.empty() && !track.whitening[sighting]) return std::nullopt;
+  const auto image = linearize_reprojection(state.rig.cameras[s.camera], at.T_w_b, point);
   if (!image) return std::nullopt;
   Seen seen{{}, {}, 1.0, image->d_pose * at.twist_b, *image};
-  const auto M = line_whitening(camera.shutter, seen.ydot);
-  if (!M) return std::nullopt;
-  seen.scale = *M / sigma_px;
-  seen.r = seen.scale * (image->px - px);
-  seen.root = std::sqrt(loss.weight(seen.r.squaredNorm()));
+  seen.scale = Eigen::Matrix2d::Identity() / model.sigma_px[s.camera];
+  if (!track.whitening.empty()) seen.scale = *track.whitening[sighting] / model.sigma_px[s.camera];
+  seen.r = seen.scale * (image->px - s.px);
+  seen.root = std::sqrt(model.loss.weight(seen.r.squaredNorm()));
   return seen;
 }
 
@@ -125,11 +126,10 @@ struct ReferenceRows {
   LensProjection image{};
 };
 
-inline std::optional<ReferenceRows> reference_rows(const Reference& reference, const InverseDepthLandmark& landmark,
-                                                   const TrackModel& model) {
-  const auto seen = see(*reference.camera, reference.at, reference.anchor.point, reference.sighting->px,
-                        model.sigma_px[reference.sighting->camera], model.loss);
-  const auto image = reference.camera->lens.linearize(landmark.bearing_c);
+inline std::optional<ReferenceRows> reference_rows(const State& state, const TrackModel& model, const Track& track,
+                                                   const Reference& reference) {
+  const auto seen = see(state, model, track, 0, reference.at, reference.anchor.point);
+  const auto image = reference.camera->lens.linearize(state.landmarks[track.landmark].bearing_c);
   if (!seen || !image) return std::nullopt;
   return ReferenceRows{seen->r, seen->scale, seen->root, *image};
 }

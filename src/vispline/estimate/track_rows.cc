@@ -36,7 +36,7 @@ std::vector<SightingRows> linearize_sightings(const State& state, const Columns&
     const Sighting& s = track.sightings[i];
     const Camera& camera = state.rig.cameras[s.camera];
     const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, true);
-    auto seen = see(camera, at, reference.anchor.point, s.px, model.sigma_px[s.camera], model.loss);
+    auto seen = see(state, model, track, i, at, reference.anchor.point);
     all[i].lost = !seen;
     if (!seen) continue;
     all[i].r = seen->r;
@@ -49,7 +49,7 @@ std::vector<SightingRows> linearize_sightings(const State& state, const Columns&
     all[i].J_landmark.leftCols(model.size()) = q * Q_l;
   }
   if (model.unknowns == LandmarkUnknowns::kInverseDepth) return all;
-  const auto rows = reference_rows(reference, landmark, model);
+  const auto rows = reference_rows(state, model, track, reference);
   all[0].lost = !rows;
   if (!rows) return all;
   all[0].r = rows->r;
