@@ -9,16 +9,22 @@ namespace vispline {
 namespace {
 
 constexpr std::size_t kChunks = 4;
+constexpr std::size_t kSystems = 2;  ///< that tracks are summed in
 /// Information that the damping takes a column to have at least: one that nothing was measured of stays where it is.
 constexpr double kLeastInformation = 1e-6;
 
 struct ChunkRange {
   std::size_t begin, end;
-  ChunkRange(std::size_t count, std::size_t chunk)
-      : begin(count * chunk / kChunks), end(count * (chunk + 1) / kChunks) {}
+  ChunkRange(std::size_t count, std::size_t chunk, std::size_t chunks = kChunks)
+      : begin(count * chunk / chunks), end(count * (chunk + 1) / chunks) {}
 };
 
 Eigen::VectorXd damping(const Skyline& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
+
+template <int kSize>
+Eigen::Matrix<double, kSize, 1> landmark_damping(const TrackBlock& track, double lambda) {
+  return lambda * track.H.diagonal().head<kSize>().cwiseMax(kLeastInformation);
+}
 
 }  // namespace
 
@@ -62,8 +68,11 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
     const ChunkRange range(local.size(), chunk);
     for (std::size_t m = range.begin; m < range.end; ++m) {
       problem.measurements[m]->evaluate(state, columns, true, rows);
-      const Eigen::MatrixXd WJ = rows.weight.asDiagonal() * rows.J;
-      local[m] = {rows.column, rows.J.transpose() * WJ, WJ.transpose() * rows.r, rows.cost, rows.lost};
+      const auto n = static_cast<Eigen::Index>(rows.column.size());
+      const Eigen::VectorXd root = rows.weight.cwiseSqrt();
+      const Eigen::MatrixXd J_t = (root.asDiagonal() * rows.J).transpose();
+      local[m] = {rows.column, Eigen::MatrixXd::Zero(n, n), J_t * root.cwiseProduct(rows.r), rows.cost, rows.lost};
+      tiles::add_gram(J_t.data(), static_cast<int>(n), static_cast<int>(J_t.cols()), local[m].H.data());
     }
   });
   for (const Local& l : local) H_.couple(l.column);
@@ -77,15 +86,15 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
     lost_ += l.lost;
   }
   if (problem.tracks.empty()) return;
-  std::vector<Skyline> H(kChunks, H_.zeros());
-  std::vector<Eigen::VectorXd> g(kChunks, Eigen::VectorXd::Zero(g_.size()));
-  parallel_for(kChunks, threads, [&](std::size_t chunk) {
-    const ChunkRange range(problem.tracks.size(), chunk);
+  std::vector<Skyline> H(kSystems, H_.zeros());
+  std::vector<Eigen::VectorXd> g(kSystems, Eigen::VectorXd::Zero(g_.size()));
+  parallel_for(kSystems, threads, [&](std::size_t chunk) {
+    const ChunkRange range(problem.tracks.size(), chunk, kSystems);
     for (std::size_t t = range.begin; t < range.end; ++t) {
       tracks_[t] = linearize_track(state, columns, problem.track_model, problem.tracks[t], H[chunk], g[chunk]);
     }
   });
-  for (std::size_t chunk = 0; chunk < kChunks; ++chunk) {
+  for (std::size_t chunk = 0; chunk < kSystems; ++chunk) {
     H_ += H[chunk];
     g_ += g[chunk];
   }
@@ -95,47 +104,73 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
   }
 }
 
-NormalEquations::Reduced NormalEquations::reduce(double lambda, double floor) const {
-  Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
-  const int n = problem_.track_model.size();
-  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda).cwiseMax(lambda * floor));
+template <int kSize>
+bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
+  using Square = Eigen::Matrix<double, kSize, kSize>;
   ProductPanel panel(reduced.H);
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
-    Eigen::MatrixXd H_l = tracks_[t].H.topLeftCorner(n, n);
-    H_l.diagonal() *= 1.0 + lambda;
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(H_l);
-    if (cholesky.info() != Eigen::Success) {
-      reduced.positive = false;
-      return reduced;
-    }
-    const Eigen::MatrixXd L_inverse = cholesky.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
-    reduced.L_inverse[t].topLeftCorner(n, n) = L_inverse;
-    const Eigen::MatrixXd P = L_inverse * tracks_[t].W;
-    const Eigen::VectorXd p = P.transpose() * (L_inverse * tracks_[t].g.head(n));
-    panel.add(tracks_[t].column, P);
-    for (std::size_t i = 0; i < tracks_[t].column.size(); ++i) {
-      reduced.g(tracks_[t].column[i]) -= p(static_cast<Eigen::Index>(i));
+    const TrackBlock& track = tracks_[t];
+    Square H_l = track.H.topLeftCorner<kSize, kSize>();
+    H_l.diagonal() += landmark_damping<kSize>(track, lambda);
+    const Eigen::LLT<Square> cholesky(H_l);
+    if (cholesky.info() != Eigen::Success) return false;
+    const Square L_inverse = cholesky.matrixL().solve(Square::Identity());
+    reduced.L_inverse[t].topLeftCorner<kSize, kSize>() = L_inverse;
+    const Eigen::Matrix<double, kSize, Eigen::Dynamic> P = L_inverse.lazyProduct(track.W);
+    const Eigen::Matrix<double, kSize, 1> p = L_inverse * track.g.head<kSize>();
+    panel.add(track.column, P);
+    for (std::size_t i = 0; i < track.column.size(); ++i) {
+      reduced.g(track.column[i]) -= P.col(static_cast<Eigen::Index>(i)).dot(p);
     }
   }
   panel.flush();
-  reduced.positive = reduced.H.factor();
+  return true;
+}
+
+NormalEquations::Reduced NormalEquations::reduce(double lambda) const {
+  Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
+  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda));
+  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  reduced.positive = (point ? eliminate<3>(lambda, reduced) : eliminate<1>(lambda, reduced)) && reduced.H.factor();
   return reduced;
+}
+
+template <int kSize>
+double NormalEquations::substitute_of(double lambda, const Reduced& reduced, bool gradient, Step& step) const {
+  using Vector = Eigen::Matrix<double, kSize, 1>;
+  double sum = 0.0;
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    const TrackBlock& track = tracks_[t];
+    Vector rhs = Vector::Zero();
+    if (gradient) rhs = -track.g.head<kSize>();
+    for (std::size_t i = 0; i < track.column.size(); ++i) {
+      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * step.delta(track.column[i]);
+    }
+    const Eigen::Matrix<double, kSize, kSize> L_inverse = reduced.L_inverse[t].topLeftCorner<kSize, kSize>();
+    Vector delta = L_inverse.transpose() * (L_inverse * rhs);
+    sum += delta.dot(landmark_damping<kSize>(track, lambda).cwiseProduct(delta) - track.g.head<kSize>());
+    for (std::size_t i = 0; i < track.carried.size(); ++i) {
+      delta -= track.carry.col(static_cast<Eigen::Index>(i)) * step.delta(track.carried[i]);
+    }
+    step.delta_landmark[t].head<kSize>() = delta;
+  }
+  return sum;
+}
+
+double NormalEquations::substitute(double lambda, const Reduced& reduced, bool gradient, Step& step) const {
+  step.delta_landmark.assign(tracks_.size(), Vector3d::Zero());
+  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  return point ? substitute_of<3>(lambda, reduced, gradient, step) : substitute_of<1>(lambda, reduced, gradient, step);
 }
 
 std::optional<Step> NormalEquations::step(double lambda) const {
   const Reduced reduced = reduce(lambda);
   if (!reduced.positive) return std::nullopt;
-  const int n = problem_.track_model.size();
   Step step;
   step.delta = reduced.H.solve(-reduced.g);
   if (!step.delta.allFinite()) return std::nullopt;
-  double sum = step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_);
-  step.delta_landmark = landmarks_of(reduced, step.delta, true);
-  for (std::size_t t = 0; t < tracks_.size(); ++t) {
-    const Eigen::VectorXd delta = step.delta_landmark[t].head(n);
-    sum += delta.dot(lambda * tracks_[t].H.diagonal().head(n).cwiseProduct(delta) - tracks_[t].g.head(n));
-  }
-  step.predicted = 0.5 * sum;
+  const double landmarks = substitute(lambda, reduced, true, step);
+  step.predicted = 0.5 * (step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_) + landmarks);
   return step;
 }
 
@@ -147,22 +182,6 @@ std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) 
   return X;
 }
 
-std::vector<Vector3d> NormalEquations::landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta,
-                                                    bool gradient) const {
-  const int n = problem_.track_model.size();
-  std::vector<Vector3d> landmarks(tracks_.size(), Vector3d::Zero());
-  for (std::size_t t = 0; t < tracks_.size(); ++t) {
-    const TrackBlock& track = tracks_[t];
-    Eigen::VectorXd rhs = gradient ? Eigen::VectorXd(-track.g.head(n)) : Eigen::VectorXd(Eigen::VectorXd::Zero(n));
-    for (std::size_t i = 0; i < track.column.size(); ++i) {
-      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * delta(track.column[i]);
-    }
-    const Eigen::MatrixXd L_inverse = reduced.L_inverse[t].topLeftCorner(n, n);
-    landmarks[t].head(n) = L_inverse.transpose() * (L_inverse * rhs);
-  }
-  return landmarks;
-}
-
 std::vector<Step> NormalEquations::respond(const Eigen::MatrixXd& push) const {
   const Reduced reduced = reduce(0.0);
   std::vector<Step> steps;
@@ -170,7 +189,7 @@ std::vector<Step> NormalEquations::respond(const Eigen::MatrixXd& push) const {
   for (Eigen::Index i = 0; i < push.cols(); ++i) {
     Step& step = steps.emplace_back();
     step.delta = reduced.H.solve(push.col(i));
-    step.delta_landmark = landmarks_of(reduced, step.delta, false);
+    substitute(0.0, reduced, false, step);
   }
   return steps;
 }
@@ -187,8 +206,7 @@ std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
 }
 
 std::optional<Eigen::MatrixXd> NormalEquations::damped_covariance(int n, double lambda) const {
-  constexpr double kLeastInformation = 1e-12;
-  const Reduced reduced = reduce(lambda, kLeastInformation);
+  const Reduced reduced = reduce(lambda);
   if (!reduced.positive) return std::nullopt;
   Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
   if (!covariance.allFinite()) return std::nullopt;

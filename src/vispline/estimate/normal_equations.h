@@ -52,8 +52,15 @@ class NormalEquations {
     std::vector<Eigen::Matrix3d> L_inverse;  ///< of each track
     bool positive = false;
   };
-  Reduced reduce(double lambda, double floor = 0.0) const;
-  std::vector<Vector3d> landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta, bool gradient) const;
+  Reduced reduce(double lambda) const;
+  /// Takes the landmarks of kSize unknowns out of the system; false if they have no unique solution.
+  template <int kSize>
+  bool eliminate(double lambda, Reduced& reduced) const;
+  /// Landmarks after all else is known, with or without their own gradient; returns their share of twice the predicted
+  /// decrease.
+  double substitute(double lambda, const Reduced& reduced, bool gradient, Step& step) const;
+  template <int kSize>
+  double substitute_of(double lambda, const Reduced& reduced, bool gradient, Step& step) const;
 
   const Problem& problem_;
   Skyline H_;

@@ -49,22 +49,42 @@ Skyline& Skyline::operator+=(const Skyline& other) {
   return *this;
 }
 
-void Skyline::add(std::span<const int> columns, const Eigen::MatrixXd& H) {
-  const auto n = static_cast<Eigen::Index>(columns.size());
-  for (Eigen::Index b = 0; b < n; ++b) {
-    const int column_b = columns[static_cast<std::size_t>(b)];
-    for (Eigen::Index a = b; a < n; ++a) {
-      const int column_a = columns[static_cast<std::size_t>(a)];
-      at(std::max(column_a, column_b), std::min(column_a, column_b)) += H(a, b);
+std::vector<Skyline::Run> Skyline::runs_of(std::span<const int> columns) {
+  std::vector<Run> runs;
+  for (int i = 0; i < static_cast<int>(columns.size()); ++i) {
+    const int column = columns[static_cast<std::size_t>(i)];
+    if (!runs.empty() && column == runs.back().global + runs.back().size && column % kTile != 0) {
+      ++runs.back().size;
+    } else {
+      runs.push_back({i, column, 1});
+    }
+  }
+  return runs;
+}
+
+void Skyline::add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& H) {
+  const std::vector<Run> runs = runs_of(columns);
+  for (std::size_t b = 0; b < runs.size(); ++b) {
+    for (std::size_t a = b; a < runs.size(); ++a) {
+      const auto part = H.block(runs[a].local, runs[b].local, runs[a].size, runs[b].size);
+      if (runs[a].global >= runs[b].global) {
+        block(runs[a], runs[b]) += part;
+      } else {
+        block(runs[b], runs[a]) += part.transpose();
+      }
     }
   }
 }
 
-void Skyline::add_symmetric(std::span<const int> rows, std::span<const int> columns, const Eigen::MatrixXd& V) {
-  for (std::size_t b = 0; b < columns.size(); ++b) {
-    for (std::size_t a = 0; a < rows.size(); ++a) {
-      const double v = V(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
-      at(std::max(rows[a], columns[b]), std::min(rows[a], columns[b])) += rows[a] == columns[b] ? 2.0 * v : v;
+void Skyline::add_symmetric(std::span<const int> rows, std::span<const int> columns,
+                            const Eigen::Ref<const Eigen::MatrixXd>& V) {
+  const std::vector<Run> row_runs = runs_of(rows), column_runs = runs_of(columns);
+  for (const Run& c : column_runs) {
+    for (const Run& r : row_runs) {
+      const auto part = V.block(r.local, c.local, r.size, c.size);
+      const bool below = r.global >= c.global + c.size, above = r.global + r.size <= c.global;
+      if (!above) block(r, c) += part;
+      if (!below) block(c, r) += part.transpose();
     }
   }
 }
@@ -82,16 +102,18 @@ void Skyline::add_to_diagonal(const Eigen::VectorXd& d) {
 bool Skyline::factor() {
   for (int i = 0; i < tiles(); ++i) {
     for (int j = first(i); j <= i; ++j) {
-      auto L_ij = tile(i, j);
-      for (int k = std::max(first(i), first(j)); k < j; ++k) L_ij.noalias() -= tile(i, k) * tile(j, k).transpose();
-      if (j < i) {
-        tile(j, j).transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(L_ij);
-      } else {
-        Tile D = L_ij;
-        const Eigen::LLT<Eigen::Ref<Tile>> cholesky(D);
-        if (cholesky.info() != Eigen::Success) return false;
-        L_ij = D.triangularView<Eigen::Lower>();
+      for (int k = std::max(first(i), first(j)); k < j; ++k) {
+        tiles::subtract_product(data(i, k), data(j, k), data(i, j));
       }
+      if (j < i) {
+        tiles::solve_transposed(data(j, j), data(i, j));
+        continue;
+      }
+      auto L = tile(i, i);
+      Tile D = L;
+      const Eigen::LLT<Eigen::Ref<Tile>> cholesky(D);
+      if (cholesky.info() != Eigen::Success) return false;
+      L = D.triangularView<Eigen::Lower>();
     }
   }
   return true;
@@ -135,24 +157,25 @@ ProductPanel::ProductPanel(Skyline& system)
       tile_(static_cast<std::size_t>(system.tiles()), Skyline::Tile::Zero()),
       touched_(static_cast<std::size_t>(system.tiles())) {}
 
-void ProductPanel::add(std::span<const int> columns, const Eigen::MatrixXd& P) {
+void ProductPanel::add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& P) {
   const auto rows = static_cast<int>(P.rows());
   if (rows_ + rows > Skyline::kTile) flush();
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const auto t = static_cast<std::size_t>(columns[c] / Skyline::kTile);
+  for (const Skyline::Run& run : Skyline::runs_of(columns)) {
+    const auto t = static_cast<std::size_t>(run.global / Skyline::kTile);
     touched_[t] = true;
-    tile_[t].col(columns[c] % Skyline::kTile).segment(rows_, rows) = P.col(static_cast<Eigen::Index>(c));
+    tile_[t].block(run.global % Skyline::kTile, rows_, run.size, rows) = P.middleCols(run.local, run.size).transpose();
   }
   rows_ += rows;
 }
 
 void ProductPanel::flush() {
-  for (std::size_t i = 0; i < tile_.size(); ++i) {
-    if (!touched_[i]) continue;
-    for (std::size_t j = 0; j <= i; ++j) {
-      // Tiles that no landmark of the panel couples hold zeros here, and may have no place in the system.
-      if (!touched_[j] || static_cast<int>(j) < system_.first(static_cast<int>(i))) continue;
-      system_.tile(static_cast<int>(i), static_cast<int>(j)).noalias() -= tile_[i].transpose() * tile_[j];
+  for (int i = 0; i < static_cast<int>(tile_.size()); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (!touched_[row]) continue;
+    // Tiles that no landmark of the panel couples hold zeros here, and may have no place in the system.
+    for (int j = system_.first(i); j <= i; ++j) {
+      const auto column = static_cast<std::size_t>(j);
+      if (touched_[column]) tiles::subtract_product(tile_[row].data(), tile_[column].data(), system_.data(i, j));
     }
   }
   for (std::size_t i = 0; i < tile_.size(); ++i) {

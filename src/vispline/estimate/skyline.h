@@ -6,13 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "vispline/estimate/tile_kernel.h"
+
 namespace vispline {
 
 /// The lower triangle. Row i of tiles is held from its first nonzero tile to the diagonal, and Cholesky's factor fills
 /// no more than that: unknowns ordered by time make a band, unknowns at the end that meet all others make an arrow.
 class Skyline {
  public:
-  static constexpr int kTile = 48;
+  static constexpr int kTile = tiles::kTile;
   using Tile = Eigen::Matrix<double, kTile, kTile>;
 
   Skyline() = default;
@@ -33,9 +35,10 @@ class Skyline {
   /// Of the same place.
   Skyline& operator+=(const Skyline& other);
   /// Adds H, of which the lower triangle counts, at the given rows and columns.
-  void add(std::span<const int> columns, const Eigen::MatrixXd& H);
+  void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& H);
   /// Adds V at (rows, columns) and its transpose at (columns, rows).
-  void add_symmetric(std::span<const int> rows, std::span<const int> columns, const Eigen::MatrixXd& V);
+  void add_symmetric(std::span<const int> rows, std::span<const int> columns,
+                     const Eigen::Ref<const Eigen::MatrixXd>& V);
   Eigen::VectorXd diagonal() const;
   void add_to_diagonal(const Eigen::VectorXd& d);
 
@@ -48,10 +51,17 @@ class Skyline {
 
  private:
   friend class ProductPanel;
+  /// Columns that follow each other inside one tile: what is added as a block.
+  struct Run {
+    int local, global, size;
+  };
+  static std::vector<Run> runs_of(std::span<const int> columns);
   Eigen::MatrixXd tail(int n) const;
-  double& at(int row, int column) {
-    return data_[offset(row / kTile, column / kTile) +
-                 static_cast<std::size_t>((column % kTile) * kTile + row % kTile)];
+  double* data(int row, int column) { return data_.data() + offset(row, column); }
+  /// The part of a tile where two runs meet, the one of rows below.
+  auto block(const Run& rows, const Run& columns) {
+    return tile(rows.global / kTile, columns.global / kTile)
+        .block(rows.global % kTile, columns.global % kTile, rows.size, columns.size);
   }
   std::size_t offset(int row, int column) const {
     return (begin_[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column - first(row))) * kTile * kTile;
@@ -69,12 +79,12 @@ class ProductPanel {
  public:
   explicit ProductPanel(Skyline& system);
   /// Rows of P at `columns`; at most kTile rows at once.
-  void add(std::span<const int> columns, const Eigen::MatrixXd& P);
+  void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& P);
   void flush();
 
  private:
   Skyline& system_;
-  std::vector<Skyline::Tile> tile_;  ///< one for each tile of columns
+  std::vector<Skyline::Tile> tile_;  ///< P^T, one for each tile of columns
   std::vector<bool> touched_;
   int rows_ = 0;
 };

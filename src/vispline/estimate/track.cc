@@ -1,5 +1,6 @@
 #include "vispline/estimate/track.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -176,11 +177,11 @@ void add_to(const std::vector<int>& index, const Matrix& values, Eigen::Ref<Eige
   for (std::size_t i = 0; i < index.size(); ++i) sum(index[i]) += values(static_cast<Eigen::Index>(i));
 }
 
+using LandmarkRows = Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::ColMajor, 4, 3>;
+
 /// d point / d landmark: four rows.
-Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::ColMajor, 4, 3> landmark_columns(const AnchoredPoint& anchor,
-                                                                                 const TrackModel& model,
-                                                                                 const Vector3d& bearing_c) {
-  Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::ColMajor, 4, 3> Q(4, model.size());
+LandmarkRows landmark_columns(const AnchoredPoint& anchor, const TrackModel& model, const Vector3d& bearing_c) {
+  LandmarkRows Q(4, model.size());
   if (model.unknowns == LandmarkUnknowns::kPoint) Q.leftCols<2>() = anchor.d_bearing * plane_across(bearing_c);
   Q.rightCols<1>() = anchor.d_inverse_distance;
   return Q;
@@ -199,13 +200,17 @@ class TrackLinearizer {
         reference_(reference_of(state, track, true)),
         n_(model.size()) {
     block_.column = columns_.column();
-    C_.setZero(static_cast<Eigen::Index>(block_.column.size()), 4);
+    C_.setZero(4, static_cast<Eigen::Index>(block_.column.size()));
   }
 
   TrackBlock run() {
     for (std::size_t i = 1; i < track_.sightings.size(); ++i) sighting(i);
-    point();
-    if (model_.unknowns == LandmarkUnknowns::kPoint) reference_pixel();
+    const Sparse<Matrix4X> Q = reference_columns(reference_, model_, columns_);
+    const auto Q_l = landmark_columns(reference_.anchor, model_, landmark().bearing_c);
+    block_.W = Q_l.transpose().lazyProduct(C_);
+    block_.H.topLeftCorner(n_, n_) = Q_l.transpose() * S_ * Q_l;
+    block_.g.head(n_) = Q_l.transpose() * s_;
+    model_.unknowns == LandmarkUnknowns::kPoint ? carried_by_reference(Q, Q_l) : along_reference_ray(Q, Q_l);
     hold_at_infinity();
     return std::move(block_);
   }
@@ -216,6 +221,16 @@ class TrackLinearizer {
   void lose() {
     ++block_.lost;
     block_.cost += lost_cost(model_);
+  }
+
+  /// Rows A with residual r, by their local columns: their products go to the system.
+  void add(const Sparse<Matrix2X>& A, const Vector2d& r) {
+    A_t_ = A.J.transpose();
+    global_ = global_columns(A.local, block_.column);
+    H_.setZero(A_t_.rows(), A_t_.rows());
+    tiles::add_gram(A_t_.data(), static_cast<int>(A_t_.rows()), 2, H_.data());
+    system_.add(global_, H_);
+    add_to(global_, A_t_ * r, gradient_);
   }
 
   /// The sighting's own columns at once; what it says of the point is collected in C, S and s.
@@ -229,50 +244,49 @@ class TrackLinearizer {
     const Sparse<Matrix2X> A = sighting_columns(camera, s, at, *seen, columns_);
     const Eigen::Matrix<double, 2, 4> q = seen->root * seen->scale * seen->image.d_point;
     const Vector2d r = seen->root * seen->r;
-    const std::vector<int> global = global_columns(A.local, block_.column);
-    system_.add(global, A.J.transpose() * A.J);
-    add_to(global, A.J.transpose() * r, gradient_);
-    const Eigen::Matrix<double, Eigen::Dynamic, 4> C = A.J.transpose() * q;
-    for (std::size_t i = 0; i < A.local.size(); ++i) C_.row(A.local[i]) += C.row(static_cast<Eigen::Index>(i));
+    add(A, r);
+    for (std::size_t i = 0; i < A.local.size(); ++i) {
+      C_.col(A.local[i]) += q.transpose() * A.J.col(static_cast<Eigen::Index>(i));
+    }
     S_ += q.transpose() * q;
     s_ += q.transpose() * r;
   }
 
-  /// The point itself depends on the reference view and on the landmark.
-  void point() {
-    const Sparse<Matrix4X> Q = reference_columns(reference_, model_, columns_);
-    const auto Q_l = landmark_columns(reference_.anchor, model_, landmark().bearing_c);
+  /// A landmark on an exact ray: the point depends on the reference view and on the landmark.
+  void along_reference_ray(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
     const std::vector<int> global = global_columns(Q.local, block_.column);
     system_.add(global, Q.J.transpose() * S_ * Q.J);
     add_to(global, Q.J.transpose() * s_, gradient_);
-    system_.add_symmetric(block_.column, global, C_ * Q.J);
-    block_.W = Q_l.transpose() * C_.transpose();
-    const Eigen::MatrixXd W_reference = Q_l.transpose() * S_ * Q.J;
+    const Eigen::MatrixXd C_t = C_.transpose();
+    system_.add_symmetric(block_.column, global, C_t.lazyProduct(Q.J));
+    const Eigen::MatrixXd W = Q_l.transpose() * S_ * Q.J;
     for (std::size_t i = 0; i < Q.local.size(); ++i) {
-      block_.W.col(Q.local[i]) += W_reference.col(static_cast<Eigen::Index>(i));
+      block_.W.col(Q.local[i]) += W.col(static_cast<Eigen::Index>(i));
     }
-    block_.H.topLeftCorner(n_, n_) = Q_l.transpose() * S_ * Q_l;
-    block_.g.head(n_) = Q_l.transpose() * s_;
   }
 
-  void reference_pixel() {
+  /// A point that has its own three unknowns. The reference view moves it as the landmark could: Q = Q_l carry, up to a
+  /// multiple of the homogeneous point, which no image sees. What is left of that view is the residual of its pixel.
+  void carried_by_reference(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
+    const HomogeneousPoint& point = reference_.anchor.point;
+    Eigen::Matrix4d basis;
+    basis << Q_l, (Eigen::Vector4d() << point.direction_w, point.inverse_distance).finished();
+    block_.carry = (basis.inverse() * Q.J).topRows<3>();
+    block_.carried = global_columns(Q.local, block_.column);
     const auto rows = reference_rows(state_, model_, track_, reference_);
     if (!rows) return lose();
     block_.cost += 0.5 * model_.loss.loss(rows->r.squaredNorm());
     const Eigen::Matrix2d scale = rows->root * rows->scale;
     const Vector2d r = rows->root * rows->r;
     const Eigen::Matrix2d J_l = scale * rows->image.d_point * plane_across(landmark().bearing_c);
+    Sparse<Matrix2X> A{Q.local, -J_l * block_.carry.topRows<2>()};
+    A.append(columns_.camera(reference_.sighting->camera).intrinsics, (scale * rows->image.d_params).eval());
+    add(A, r);
+    for (std::size_t i = 0; i < A.local.size(); ++i) {
+      block_.W.col(A.local[i]).head<2>() += J_l.transpose() * A.J.col(static_cast<Eigen::Index>(i));
+    }
     block_.H.topLeftCorner<2, 2>() += J_l.transpose() * J_l;
     block_.g.head<2>() += J_l.transpose() * r;
-    const int first = columns_.camera(reference_.sighting->camera).intrinsics;
-    if (first < 0) return;
-    const Eigen::MatrixXd J_K = scale * rows->image.d_params;
-    block_.W.block(0, first, 2, J_K.cols()) += J_l.transpose() * J_K;
-    std::vector<int> local(static_cast<std::size_t>(J_K.cols()));
-    for (std::size_t i = 0; i < local.size(); ++i) local[i] = first + static_cast<int>(i);
-    const std::vector<int> global = global_columns(local, block_.column);
-    system_.add(global, J_K.transpose() * J_K);
-    add_to(global, J_K.transpose() * r, gradient_);
   }
 
   /// A point at infinity that wants to go beyond stays there: its inverse distance is no unknown of this step.
@@ -295,7 +309,10 @@ class TrackLinearizer {
   Reference reference_;
   Eigen::Index n_;
   TrackBlock block_;
-  Eigen::Matrix<double, Eigen::Dynamic, 4> C_;
+  Eigen::Matrix<double, 4, Eigen::Dynamic> C_;
+  std::vector<int> global_;  ///< with A_t_ and H_, room for the products of rows
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostColumns, 2> A_t_;
+  Eigen::MatrixXd H_;
   Eigen::Matrix4d S_ = Eigen::Matrix4d::Zero();
   Eigen::Vector4d s_ = Eigen::Vector4d::Zero();
 };

@@ -51,10 +51,14 @@ TrackResiduals evaluate_track(const State& state, const TrackModel& model, const
 std::vector<int> columns_of(const State& state, const Columns& columns, const Track& track);
 
 /// Normal equations of one track, [H W^T; W H_l] [delta; delta_l] = -[g; g_l]: its part of H and g is added to the
-/// system at once, the rest waits for the damping.
+/// system at once, the rest waits for the damping. A point (kPoint) is moved in the world here, as if its reference
+/// view stood still: only then do the images not depend on that view. The landmark itself moves by
+///   delta_l - carry * delta(carried)                                                   docs/math/estimate.md, Tracks
 struct TrackBlock {
-  std::vector<int> column{};  ///< of W
-  Eigen::MatrixXd W{};        ///< size() x columns
+  std::vector<int> column{};   ///< of W
+  Eigen::MatrixXd W{};         ///< size() x columns
+  std::vector<int> carried{};  ///< columns that carry the landmark with them; none for kInverseDepth
+  Eigen::MatrixXd carry{};     ///< size() x carried
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Vector3d g = Vector3d::Zero();
   double cost = 0.0;

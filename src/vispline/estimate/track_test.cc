@@ -80,6 +80,13 @@ void expect_normal_equations(const Example& e) {
     found.block(n, block.column[c], size, 1) += block.W.col(static_cast<Eigen::Index>(c));
   }
   found.bottomRightCorner(size, size) = block.H.topLeftCorner(size, size);
+  // A step of the track's landmark is in the world: back to the landmark's own.
+  found = Eigen::MatrixXd(found.selfadjointView<Eigen::Lower>());
+  Eigen::MatrixXd own = Eigen::MatrixXd::Identity(n + size, n + size);
+  for (std::size_t c = 0; c < block.carried.size(); ++c) {
+    own.block(n, block.carried[c], size, 1) += block.carry.col(static_cast<Eigen::Index>(c));
+  }
+  found = (own.transpose() * found * own).eval();
   const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt().cwiseMax(1.0);
   for (int r = 0; r < n + size; ++r) {
     for (int c = 0; c <= r; ++c) {
