@@ -10,10 +10,28 @@
 #include "vispline/simulate/random_cloud.h"
 
 namespace vispline::cli {
+Scene scene_of(const TargetCalibration& target, const Pose& T_w_t) {
+  switch (target.kind) {
+    case TargetKind::kAprilgrid:
+      return aprilgrid_scene({target.cols, target.rows, target.tag_size_m, target.tag_spacing}, T_w_t);
+    case TargetKind::kCheckerboard:
+      return checkerboard_scene({target.cols, target.rows, target.col_spacing_m, target.row_spacing_m}, T_w_t);
+    case TargetKind::kCirclegrid:
+      return circle_grid_scene({.cols = target.cols,
+                                .rows = target.rows,
+                                .spacing_m = target.col_spacing_m,
+                                .radius_m = 0.25 * target.col_spacing_m,
+                                .is_asymmetric = target.is_asymmetric},
+                               T_w_t);
+  }
+  return {};
+}
+
 namespace {
 
 constexpr double kRoomMargin_m = 3.0, kCloudMargin_m = 8.0;
-constexpr double kBoardShare = 0.4;  // of the image
+constexpr std::size_t kLandmarks = 3000;  // enough for the usual budget of features in a narrow view
+constexpr double kBoardShare = 0.4;       // of the image
 
 struct Box {
   Vector3d lower_w, upper_w;
@@ -37,14 +55,14 @@ Box box_around(const SceneRequest& request, double margin_m) {
 Scene room_of(const SceneRequest& request) {
   const Box box = box_around(request, kRoomMargin_m);
   BoxRoom room{.lower_w = box.lower_w, .upper_w = box.upper_w, .seed = request.seed};
-  room.landmarks = request.landmarks.value_or(room.landmarks);
+  room.landmarks = request.landmarks.value_or(kLandmarks);
   return box_room(room);
 }
 
 Scene cloud_of(const SceneRequest& request) {
   const Box box = box_around(request, kCloudMargin_m);
   RandomCloud cloud{.lower_w = box.lower_w, .upper_w = box.upper_w, .seed = request.seed};
-  cloud.count = request.landmarks.value_or(cloud.count);
+  cloud.count = request.landmarks.value_or(kLandmarks);
   return random_cloud(cloud);
 }
 
@@ -76,23 +94,6 @@ Pose board_pose(const SceneRequest& request, const Vector2d& size_m) {
   T_c_t.R = Vector3d(1.0, -1.0, -1.0).asDiagonal();
   T_c_t.p = distance_m * *axis_c - T_c_t.R * Vector3d(0.5 * size_m.x(), 0.5 * size_m.y(), 0.0);
   return T_w_c * T_c_t;
-}
-
-Scene scene_of(const TargetCalibration& target, const Pose& T_w_t) {
-  switch (target.kind) {
-    case TargetKind::kAprilgrid:
-      return aprilgrid_scene({target.cols, target.rows, target.tag_size_m, target.tag_spacing}, T_w_t);
-    case TargetKind::kCheckerboard:
-      return checkerboard_scene({target.cols, target.rows, target.col_spacing_m, target.row_spacing_m}, T_w_t);
-    case TargetKind::kCirclegrid:
-      return circle_grid_scene({.cols = target.cols,
-                                .rows = target.rows,
-                                .spacing_m = target.col_spacing_m,
-                                .radius_m = 0.25 * target.col_spacing_m,
-                                .is_asymmetric = target.is_asymmetric},
-                               T_w_t);
-  }
-  return {};
 }
 
 std::optional<TargetCalibration> named_target(const std::string& name) {

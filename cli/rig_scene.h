@@ -30,6 +30,9 @@ struct SceneRequest {
   std::uint64_t seed = 0;
 };
 
+/// The board alone; the ids of its landmarks are those of its corners.
+Scene scene_of(const TargetCalibration& target, const Pose& T_w_t);
+
 /// A room and a cloud reach around the whole motion; a board stands in front of the first camera as it is at the start.
 /// Throws what the readers throw, E-ARGUMENT for a board without a camera.
 SceneSource load_scene(const SceneRequest& request, Session& session);

@@ -63,19 +63,19 @@ void write_euroc(const SimulationTask& task) {
   write_groundtruth_euroc(task.out + kEurocTruth, truth, task.output);
 }
 
-void write_course(const SimulationTask& task) {
+void write_course_folder(const SimulationTask& task) {
   const Time begin = task.stamps[0];
   const Duration length = task.stamps[task.stamps.size() - 1] - begin + from_seconds(task.stamps.period());
   const Stamps images({begin, kCourseCameraRate_hz}, length);
   std::vector<Time> times;
   for (std::size_t i = 0; i < images.size(); ++i) times.push_back(images[i]);
   cli::write_course({.trajectory = task.trajectory,
-                .imu = task.imus[0],
-                .stamps = task.stamps,
-                .images = times,
-                .T_b_c = course_T_b_c(),
-                .folder = task.out},
-               task.output);
+                     .imu = task.imus[0],
+                     .stamps = task.stamps,
+                     .images = times,
+                     .T_b_c = course_T_b_c(),
+                     .folder = task.out},
+                    task.output);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ void probe_simulation(const SimulationNames& names, const OutputOptions& options
 void write_simulation(const SimulationTask& task, const std::string& format) {
   if (format == "csv") return write_csv(task);
   if (format == "euroc") return write_euroc(task);
-  write_course(task);
+  write_course_folder(task);
 }
 
 }  // namespace vispline::cli

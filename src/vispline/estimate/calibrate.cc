@@ -67,14 +67,23 @@ class Calibrator {
   Estimation run() {
     require(!rig_.imus.empty() && !rig_.cameras.empty(), "a rig with an IMU and a camera");
     require_valid(rig_);
-    find_cameras();
-    find_other_imus();
-    start_curve();
-    solve_stages();
+    timed("start", [this] {
+      find_cameras();
+      find_other_imus();
+      start_curve();
+    });
+    timed("solve", [this] { solve_stages(); });
     return std::move(result_);
   }
 
  private:
+  template <class Work>
+  void timed(const char* what, const Work& work) {
+    const double begin = processor_time_s();
+    work();
+    result_.cpu_s.emplace_back(what, processor_time_s() - begin);
+  }
+
   const ImuSignal& reference_imu() const { return imu_signal(recording_, rig_.imus.front()); }
 
   void stage(const std::string& name, const std::string& measure, double value, double limit, const std::string& unit,

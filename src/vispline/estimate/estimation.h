@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vispline/core/error.h"
@@ -19,11 +20,15 @@ struct Stage {
   bool passed = false;
 };
 
+/// Processor time of the process since it began, s.
+double processor_time_s();
+
 /// What an estimation leaves: the last problem, its solution, and how it got there.
 struct Estimation {
   Problem problem{};  ///< the last one, with its start
   Solution solution{};
   std::vector<Stage> stages{};
+  std::vector<std::pair<std::string, double>> cpu_s{};  ///< processor time by part of the work, in order
   Diagnostics diagnostics{};
 };
 

@@ -29,7 +29,10 @@ class PoseEstimator {
   }
 
   Estimation run() {
+    const double begin = processor_time_s();
     start();
+    const double started = processor_time_s();
+    result_.cpu_s.emplace_back("start", started - begin);
     Sigmas sigmas{sigma_of(state_.rig.imus[0])};
     SolveOptions quick = options_.solve;
     quick.covariance = false;
@@ -46,6 +49,7 @@ class PoseEstimator {
     }
     result_.problem = problem(sigmas);
     result_.solution = solve(result_.problem, options_.solve);
+    result_.cpu_s.emplace_back("solve", processor_time_s() - started);
     return std::move(result_);
   }
 

@@ -2,10 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "vispline/estimate/flow_rotation.h"
 #include "vispline/estimate/gyro_rotation.h"
+#include "vispline/estimate/noise_estimation.h"
 #include "vispline/estimate/pose_measurement.h"
 #include "vispline/estimate/track_start.h"
 #include "vispline/results/imu_comparison.h"
@@ -16,6 +18,7 @@ namespace {
 constexpr double kMargin_s = 0.05;
 constexpr std::size_t kFewestTracks = 10, kFewestSightings = 3;
 constexpr double kLeastCorrelation = 0.5;
+constexpr int kNoiseRounds = 2;
 constexpr double kMostBearing_rad = 0.03;
 constexpr double kLeastInverse = 1e-3, kMostInverse = 10.0;  // 1/m
 
@@ -29,14 +32,23 @@ class TrackEstimator {
   }
 
   Estimation run() {
-    span();
-    clocks();
-    structure();
-    solve_stages();
+    timed("start", [this] {
+      span();
+      clocks();
+      structure();
+    });
+    timed("solve", [this] { solve_stages(); });
     return std::move(result_);
   }
 
  private:
+  template <class Work>
+  void timed(const char* what, const Work& work) {
+    const double begin = processor_time_s();
+    work();
+    result_.cpu_s.emplace_back(what, processor_time_s() - begin);
+  }
+
   const ImuSignal& imu(std::size_t i) const {
     const auto found = recording_.imus.find(state_.rig.imus[i].name);
     if (found != recording_.imus.end() && found->second.size() > 10) return found->second;
@@ -173,11 +185,10 @@ class TrackEstimator {
     treat(problem.parameters, usual(freed));
     if (freed == Freed::kAll) treat(problem.parameters, options_.treatments);
     for (std::size_t i = 0; i < start.rig.imus.size(); ++i) {
-      add_imu(problem, i, imu(i), used_, sigma_of(start.rig.imus[i]), {});
+      add_imu(problem, i, imu(i), used_, imu_sigma_[i], {});
     }
     problem.tracks = tracks_;
-    problem.track_model = {options_.unknowns, {}, {options_.huber_sigmas}};
-    for (const Camera& camera : start.rig.cameras) problem.track_model.sigma_px.push_back(camera.pixel_sigma_px);
+    problem.track_model = {options_.unknowns, sigma_px_, {options_.huber_sigmas}};
     const Time middle = used_.begin + (used_.end - used_.begin) / 2;
     problem.measurements.push_back(
         gauge_measurement({middle, start.curve->pose({middle}, false).T_w_b, gravity_free(problem.parameters)}));
@@ -197,17 +208,50 @@ class TrackEstimator {
     quick.covariance = false;
     quick.max_iterations = 25;
     quick.relative_decrease = 1e-3;
+    for (const Imu& imu : state_.rig.imus) imu_sigma_.push_back(sigma_of(imu));
+    for (const Camera& camera : state_.rig.cameras) sigma_px_.push_back(camera.pixel_sigma_px);
     State state = state_;
     for (const Freed freed : {Freed::kMotion, Freed::kExtrinsics}) {
       Problem stage = problem(state, freed);
       state = solve(stage, quick).state;
     }
+    for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
+      Problem every = problem(state, Freed::kAll);
+      const Solution solution = solve(every, quick);
+      state = solution.state;
+      rescale(every, solution);
+    }
     result_.problem = problem(state, Freed::kAll);
     result_.solution = solve(result_.problem, options_.solve);
   }
 
+  /// Sizes of the noise from the residuals: of the IMUs by what the unknowns absorb, of the pixels by what the
+  /// landmarks do.
+  void rescale(const Problem& problem, const Solution& solution) {
+    const auto fits = sensor_fits(problem, solution.state, solution.columns, options_.solve.threads);
+    for (std::size_t i = 0; i < imu_sigma_.size(); ++i) {
+      rescale_sigma(imu_sigma_[i], state_.rig.imus[i].name, fits);
+    }
+    std::vector<double> chi2(sigma_px_.size()), dof(sigma_px_.size());
+    for (const Track& track : problem.tracks) {
+      const TrackResiduals residuals = evaluate_track(solution.state, problem.track_model, track);
+      const double own = static_cast<double>(problem.track_model.size()) / static_cast<double>(track.sightings.size());
+      for (std::size_t i = 0; i < track.sightings.size(); ++i) {
+        const double s = residuals.r[i].squaredNorm();
+        const std::size_t camera = track.sightings[i].camera;
+        chi2[camera] += problem.track_model.loss.weight(s) * s;
+        dof[camera] += 2.0 - own;
+      }
+    }
+    for (std::size_t c = 0; c < sigma_px_.size(); ++c) {
+      if (dof[c] > 0.0 && chi2[c] > 0.0) sigma_px_[c] *= std::sqrt(chi2[c] / dof[c]);
+    }
+  }
+
   const Recording& recording_;
   const TrackEstimationOptions& options_;
+  std::vector<ImuSigma> imu_sigma_;
+  std::vector<double> sigma_px_;
   State state_;
   TimeSpan used_{};
   std::vector<Track> tracks_;

@@ -14,13 +14,13 @@ struct TrackEstimationOptions {
   double gravity = 9.80665;   ///< m/s^2
   Treatments treatments{};    ///< beyond the usual ones
   double huber_sigmas = 3.0;  ///< of features; 0: least squares
+  bool trust_noise = false;   ///< sigmas as the rig has them; false: found from the residuals
   bool trust_clocks = false;  ///< camera clocks and rotations as the rig has them; false: found from the tracks
   SolveOptions solve{};
 };
 
-/// The world has its z axis up and begins near the first pose; nothing else about it can be known. The rig's noise
-/// densities and pixel sigmas count. `recording` must outlive the result. Throws Error(kUnfit): E-TRACKS (too few),
-/// E-CLOCK, E-EXCITATION, E-UNITS, E-OVERLAP.
+/// The world has its z axis up and begins near the first pose; nothing else about it can be known. `recording` must
+/// outlive the result. Throws Error(kUnfit): E-TRACKS (too few), E-CLOCK, E-EXCITATION, E-UNITS, E-OVERLAP.
 Estimation estimate_with_tracks(const Rig& start, const Recording& recording, const TrackEstimationOptions& options);
 
 /// Features of all cameras by id, those seen at least `least_sightings` times within `span`.
