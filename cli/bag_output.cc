@@ -21,7 +21,8 @@ ros::Pose plain(const Pose& T) {
 ros::Header header(Time stamp, const std::string& frame_id) { return {.stamp_ns = to_ns(stamp), .frame_id = frame_id}; }
 
 ros::Imu message_of(Time stamp, const ImuSample& sample, const std::string& name) {
-  ros::Imu message{.header = header(stamp, name)};
+  ros::Imu message;
+  message.header = header(stamp, name);
   message.orientation_covariance[0] = -1.0;
   message.angular_velocity = plain(sample.gyro);
   message.linear_acceleration = plain(sample.accel);

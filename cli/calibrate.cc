@@ -24,7 +24,8 @@ TargetPoints read_target(const std::string& path, CalibrateFlags& flags) {
     const TargetReading board = read_target_file(path);
     flags.session.add(board.diagnostics);
     TargetPoints points;
-    for (const SceneLandmark& landmark : scene_of(board.target, Pose{}).landmarks) points[landmark.id] = landmark.point_w;
+    for (const SceneLandmark& landmark : scene_of(board.target, Pose{}).landmarks)
+      points[landmark.id] = landmark.point_w;
     return points;
   }
   auto points = read_points(path, flags.read.options(1, flags.session));
@@ -45,7 +46,7 @@ void run(CalibrateFlags& flags) {
     recording.features[camera] = std::move(features.value);
   }
   const TargetPoints target = read_target(flags.target, flags);
-  const KnotSpacingChoice spacing = choose_knot_spacing(recording.imus.begin()->second);
+  const KnotSpacingChoice spacing = choose_knot_spacing(recording.imus.at(start.rig.imus.front().name), flags.order);
   CalibrateOptions options;
   options.curve = flags.curve(spacing.spacing_s);
   options.gravity = flags.gravity_of(start);

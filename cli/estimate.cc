@@ -73,7 +73,7 @@ void run(EstimateFlags& flags) {
   const RigDocument start = flags.load_rig();
   Recording recording;
   flags.read_imus(start.rig, recording);
-  const KnotSpacingChoice spacing = choose_knot_spacing(recording.imus.at(start.rig.imus.front().name));
+  const KnotSpacingChoice spacing = choose_knot_spacing(recording.imus.at(start.rig.imus.front().name), flags.order);
   Signal<Pose> poses;
   if (!flags.poses.empty()) {
     auto read = read_trajectory(flags.poses, flags.read.options(1, flags.session));

@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
   vispline::cli::add_calibrate(app);
   vispline::cli::add_estimate(app);
   vispline::cli::add_export(app);
+  vispline::cli::add_info(app);
+  vispline::cli::add_convert(app);
   vispline::cli::add_demo(app);
   try {
     app.parse(argc, argv);

@@ -130,7 +130,6 @@ std::vector<std::string> write_rig_files(const std::string& folder, const RigDoc
   std::vector<std::string> notes;
   for (const NamedText& file : rig_files("kalibr", kalibr_rig(document.rig, notes))) {
     write_file(folder + "/kalibr/" + file.file_name, file.text, options);
-    notes.insert(notes.end(), file.notes.begin(), file.notes.end());
   }
   write_rig(folder + "/rig.yaml", document, options);
   return notes;

@@ -30,7 +30,8 @@ Scene scene_of(const TargetCalibration& target, const Pose& T_w_t) {
 namespace {
 
 constexpr double kRoomMargin_m = 3.0, kCloudMargin_m = 8.0;
-constexpr double kBoardShare = 0.4;  // of the image
+constexpr std::size_t kLandmarks = 3000;  // enough for the usual budget of features in a narrow view
+constexpr double kBoardShare = 0.4;       // of the image
 
 struct Box {
   Vector3d lower_w, upper_w;
@@ -54,14 +55,14 @@ Box box_around(const SceneRequest& request, double margin_m) {
 Scene room_of(const SceneRequest& request) {
   const Box box = box_around(request, kRoomMargin_m);
   BoxRoom room{.lower_w = box.lower_w, .upper_w = box.upper_w, .seed = request.seed};
-  room.landmarks = request.landmarks.value_or(room.landmarks);
+  room.landmarks = request.landmarks.value_or(kLandmarks);
   return box_room(room);
 }
 
 Scene cloud_of(const SceneRequest& request) {
   const Box box = box_around(request, kCloudMargin_m);
   RandomCloud cloud{.lower_w = box.lower_w, .upper_w = box.upper_w, .seed = request.seed};
-  cloud.count = request.landmarks.value_or(cloud.count);
+  cloud.count = request.landmarks.value_or(kLandmarks);
   return random_cloud(cloud);
 }
 

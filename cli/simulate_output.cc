@@ -63,7 +63,7 @@ void write_euroc(const SimulationTask& task) {
   write_groundtruth_euroc(task.out + kEurocTruth, truth, task.output);
 }
 
-void write_course(const SimulationTask& task) {
+void write_course_folder(const SimulationTask& task) {
   const Time begin = task.stamps[0];
   const Duration length = task.stamps[task.stamps.size() - 1] - begin + from_seconds(task.stamps.period());
   const Stamps images({begin, kCourseCameraRate_hz}, length);
@@ -98,7 +98,7 @@ void probe_simulation(const SimulationNames& names, const OutputOptions& options
 void write_simulation(const SimulationTask& task, const std::string& format) {
   if (format == "csv") return write_csv(task);
   if (format == "euroc") return write_euroc(task);
-  write_course(task);
+  write_course_folder(task);
 }
 
 }  // namespace vispline::cli

@@ -12,6 +12,8 @@ void add_evaluate(CLI::App& app);
 void add_export(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_estimate(CLI::App& app);
+void add_info(CLI::App& app);
+void add_convert(CLI::App& app);
 void add_demo(CLI::App& app);
 
 }  // namespace vispline::cli

@@ -71,7 +71,7 @@ TEST(CliRig, ImagesBagsAndCourseFiles) {
   ASSERT_EQ(run.exit, 0) << run.err;
   const auto files = program.files();
   for (const char* name :
-       {"a/mav0/cam0/data/0.png", "a/mav0/cam1/data/150000000.png", "a/mav0/cam1/data.csv", "a/target.yaml",
+       {"a/mav0/cam0/data/10000000.png", "a/mav0/cam1/data/160000000.png", "a/mav0/cam1/data.csv", "a/target.yaml",
         "a/target_points.csv", "a/course/keyframe/all_points_3.txt", "a/course/README.txt", "a/recording.bag"}) {
     EXPECT_TRUE(holds(files, name)) << name;
   }

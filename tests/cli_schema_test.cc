@@ -3,6 +3,7 @@
 #include <set>
 
 #include "cli_inputs.h"
+#include "vispline/io/write.h"
 
 namespace vispline {
 namespace {
@@ -196,6 +197,43 @@ TEST(CliSchema, Simulate) {
                                         "gaps", "outliers", "translation_spectrum", "rotation_spectrum"}));
   expect_account(fitted, {"trajectory", "like"});
   expect_documented(fitted);
+}
+
+/// A recording with a gap, whose documents have every key.
+void make_recording(const Program& program) {
+  std::filesystem::create_directories(program.path("walk"));
+  ImuSignal imu = random_imu(2000, 3);
+  for (std::size_t i = 1000; i < imu.size(); ++i) imu.time[i] += Duration(700'000'000);
+  write_imu_csv(program.path("walk/imu0.csv"), imu);
+  write_trajectory_euroc(program.path("walk/mocap0.csv"), random_poses(1000, 4));
+}
+
+TEST(CliSchema, ConvertAndInfo) {
+  const Program program;
+  make_recording(program);
+  const Json converted = document(program, "convert walk walk.bag");
+  EXPECT_EQ(converted["schema"], "vispline.convert/1");
+  EXPECT_EQ(keys(converted), (Names{"schema", "version", "format", "path"}) + kReadKeys + kDiagnosticKeys);
+  expect_account(converted, {"imu", "trajectory"});
+  expect_documented(converted);
+  const Json made = document(program, "info walk.bag");
+  EXPECT_EQ(made["schema"], "vispline.info/1");
+  EXPECT_EQ(keys(made), (Names{"schema", "version", "kind", "indexed", "lost_bytes", "topics", "signals"}) + kReadKeys +
+                            kDiagnosticKeys);
+  expect_account(made, {"/imu0", "/pose"});
+  expect_documented(made);
+  EXPECT_EQ(made["signals"][0]["gaps"], 1);
+  EXPECT_NEAR(made["signals"][0]["gaps_s"].get<double>(), 0.705, 1e-3);
+}
+
+TEST(CliSchema, InfoOfACalibration) {
+  const Program program;
+  program.write("t.yaml", "target_type: 'aprilgrid'\ntagCols: 6\ntagRows: 6\ntagSize: 0.088\ntagSpacing: 0.3\n");
+  const Json made = document(program, "info t.yaml");
+  EXPECT_EQ(made["schema"], "vispline.info_calibration/1");
+  EXPECT_EQ(keys(made), (Names{"schema", "version", "dialect", "parts"}) + kDiagnosticKeys);
+  std::set<std::string> known = documented("vispline.info_calibration/1");
+  EXPECT_EQ(known, (std::set<std::string>{"dialect", "parts", "kind", "part", "text"}));
 }
 
 TEST(CliSchema, DemoIsTheIntegrationTable) {

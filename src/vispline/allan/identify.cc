@@ -14,7 +14,7 @@ constexpr std::size_t kRamp = static_cast<std::size_t>(Term::kRamp);
 constexpr double kFirstCount = 2000.0;   ///< of an octave in the first fit: every octave has a say
 constexpr double kBelievedMisfit = 9.0;  ///< chi-square of an octave up to which it keeps its full weight
 constexpr double kReportedMisfit = 0.10;
-constexpr double kOneSided95 = 2.706, kTwoSided68 = 1.0, kTwoSided95 = 3.841;
+constexpr double kTwoSided68 = 1.0, kTwoSided95 = 3.841;
 /// Expected loss of twice the log-likelihood at which a term is found nine times out of ten: (sqrt(6.63) + 1.28)^2.
 constexpr double kSurelyFound = 14.9;
 constexpr double kLongestFactor = 1e4;
@@ -25,13 +25,16 @@ int octave_of(const SpectralCell& cell, double rate_hz) {
 
 struct Octave {
   double count = 0.0, ratio = 0.0;
+  std::vector<std::size_t> cells;
 };
 
 /// Measured over fitted power of each octave of frequency.
 std::map<int, Octave> octaves(const SpectralFit& fit, const SpectralModel& model, double rate_hz) {
   std::map<int, Octave> found;
-  for (const SpectralCell& cell : fit.cells()) {
+  for (std::size_t c = 0; c < fit.cells().size(); ++c) {
+    const SpectralCell& cell = fit.cells()[c];
     Octave& octave = found[octave_of(cell, rate_hz)];
+    octave.cells.push_back(c);
     octave.count += cell.count;
     octave.ratio += cell.count * SpectralFit::residual_power(cell, model) / SpectralFit::variance(cell, model);
   }
@@ -41,12 +44,15 @@ std::map<int, Octave> octaves(const SpectralFit& fit, const SpectralModel& model
 
 /// docs/math/allan.md (22): an octave that the terms miss is believed as far as it agrees with them.
 void reweight(SpectralFit& fit, const SpectralModel& model, double rate_hz) {
-  const auto found = octaves(fit, model, rate_hz);
-  for (std::size_t c = 0; c < fit.cells().size(); ++c) {
-    const Octave& octave = found.at(octave_of(fit.cells()[c], rate_hz));
-    const double chi_square = 0.5 * octave.count * (octave.ratio - 1.0) * (octave.ratio - 1.0);
-    fit.weights()[c] = std::min(1.0, kBelievedMisfit / std::max(chi_square, 1e-12));
+  std::vector<double> weights(fit.cells().size());
+  for (const auto& [number, octave] : octaves(fit, model, rate_hz)) {
+    const double variance = 2.0 / octave.count + fit.log_power_variance(octave.cells, model);
+    const double chi_square = (octave.ratio - 1.0) * (octave.ratio - 1.0) / variance;
+    for (const std::size_t c : octave.cells) {
+      weights[c] = std::min(1.0, kBelievedMisfit / std::max(chi_square, 1e-12));
+    }
   }
+  fit.weights() = std::move(weights);
 }
 
 FittedModel robust_fit(SpectralFit& fit, const TermMask& all, double rate_hz) {
@@ -127,14 +133,20 @@ double coefficient(const SpectralModel& model, std::size_t term) {
   return term == kRamp ? std::abs(model.ramp) : std::sqrt(model.power[term]);
 }
 
-/// What the data lose when the coefficient of `term` is c (with the sign of the fitted ramp).
+/// What the data lose when the coefficient of `term` is c (with the sign of the fitted ramp), as the square of a
+/// standard normal number: the signed root of the loss of twice the log-likelihood, with its mean taken off.
+/// docs/math/allan.md (24)
 std::function<double(double)> profile(const SpectralFit& fit, TermMask mask, std::size_t term,
                                       const FittedModel& best) {
   mask[term] = true;
   return [&fit, mask, term, best](double c) {
     const double held = term == kRamp ? std::copysign(c, best.model.ramp) : c * c;
     const FittedModel at = fit.maximise(mask, SpectralFit::Held{static_cast<Term>(term), held}, &best.model);
-    return 2.0 * (best.log_likelihood - at.log_likelihood);
+    const double root = std::sqrt(std::max(0.0, 2.0 * (best.log_likelihood - at.log_likelihood)));
+    const double shift = fit.score_skewness(static_cast<Term>(term), mask, at.model) / 6.0;
+    const double above = c > coefficient(best.model, term) ? -1.0 : 1.0;
+    const double normal = std::max(0.0, root + above * shift);
+    return normal * normal;
   };
 }
 
@@ -227,11 +239,11 @@ TermEstimate bounded_term(const SpectralFit& fit, const TermMask& mask, std::siz
   const FittedModel& top = with.log_likelihood > best.log_likelihood ? with : best;
   const double start = std::max(tiny_coefficient(fit, term, best.model), coefficient(top.model, term));
   if (start <= 0.0) return estimate;
-  double bound = profile_edge(profile(fit, mask, term, top), start, 1.5, kOneSided95);
+  double bound = profile_edge(profile(fit, mask, term, top), start, 1.5, kTwoSided95);
   if (const auto alone = without_look_alikes(mask, term)) {
     const FittedModel other = fit.maximise(*alone);
     const double from = std::max(start, coefficient(other.model, term));
-    bound = std::max(bound, profile_edge(profile(fit, *alone, term, other), from, 1.5, kOneSided95));
+    bound = std::max(bound, profile_edge(profile(fit, *alone, term, other), from, 1.5, kTwoSided95));
   }
   estimate.upper_bound = bound;
   estimate.record_needed_s = record_needed(rate_hz, duration_s, mask, term, best.model, bound);

@@ -1,5 +1,5 @@
-/// How far apart knots may be for the motion that an IMU measured: Spline Error Weighting (Ovren & Forssen, CVPR 2018),
-/// turned round. docs/math/estimate.md, Knot spacing.
+/// How far apart knots may be for the motion that an IMU measured, in the spirit of Spline Error Weighting (Ovren and
+/// Forssen, CVPR 2018). docs/math/estimate.md, Knot spacing.
 #pragma once
 
 #include <string>
@@ -17,8 +17,9 @@ struct KnotSpacingChoice {
   std::string why{};  ///< one sentence with these numbers
 };
 
-/// The longest spacing, from 0.2 s down, at which a cubic spline leaves less of the motion than `share` of the noise of
-/// one sample, in gyroscope and accelerometer. The frequency response of the spline is that of the paper.
-KnotSpacingChoice choose_knot_spacing(const ImuSignal& imu, double share = 0.5);
+/// The longest spacing, from 0.2 s down to 0.01 s, at which a spline of this order leaves less of the motion than
+/// `share` of the noise of one sample. The angular rate is a first derivative of the curve and specific force a second
+/// one, so that they are splines of orders one and two lower.
+KnotSpacingChoice choose_knot_spacing(const ImuSignal& imu, int order = 4, double share = 0.35);
 
 }  // namespace vispline

@@ -71,7 +71,7 @@ Parameter rotation_parameter(const std::string& name, const PosesOf& of) {
 
 Parameter gravity_direction() {
   return {"gravity.direction",
-          "rad",
+          "1",
           2,
           {Role::kFixed},
           [](const State& s) { return Eigen::VectorXd(s.g_w.normalized()); },

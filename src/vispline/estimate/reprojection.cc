@@ -1,15 +1,9 @@
 #include "vispline/estimate/reprojection.h"
 
-#include <cmath>
-
 #include "vispline/core/so3.h"
+#include "vispline/sensors/rolling_shutter.h"
 
 namespace vispline {
-namespace {
-
-constexpr double kMostLineMotion = 0.8;  // lines that a point may move while one line is read
-
-}  // namespace
 
 std::optional<Reprojection> linearize_reprojection(const Camera& camera, const Pose& T_w_b,
                                                    const HomogeneousPoint& point) {
@@ -47,22 +41,12 @@ AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const In
   return out;
 }
 
-std::optional<Eigen::Matrix2d> line_whitening(const Shutter& shutter, const Vector2d& ydot_px_per_s) {
-  Eigen::Matrix2d M = Eigen::Matrix2d::Identity();
-  if (shutter.line_delay_s == 0.0) return M;
-  const Vector2d e = shutter.line_gradient();
-  const double motion = shutter.line_delay_s * e.dot(ydot_px_per_s);
-  if (std::abs(motion) > kMostLineMotion) return std::nullopt;
-  M += shutter.line_delay_s / (1.0 - motion) * ydot_px_per_s * e.transpose();
-  return M;
-}
-
 std::optional<Eigen::Matrix2d> line_whitening(const Camera& camera, const Pose& T_w_b, const Vector6d& twist_b,
                                               const HomogeneousPoint& point) {
   if (camera.shutter.line_delay_s == 0.0) return Eigen::Matrix2d(Eigen::Matrix2d::Identity());
   const auto seen = linearize_reprojection(camera, T_w_b, point);
   if (!seen) return std::nullopt;
-  return line_whitening(camera.shutter, seen->d_pose * twist_b);
+  return newton_whitening(camera.shutter, seen->d_pose * twist_b);
 }
 
 }  // namespace vispline

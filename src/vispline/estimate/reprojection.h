@@ -35,14 +35,8 @@ struct AnchoredPoint {
 };
 AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const InverseDepthLandmark& landmark);
 
-/// What turns (predicted at the measured line - measured) into the residual of the pixel itself: the measured line has
-/// noise, so the instant of prediction has. One Newton step of the line's own equation.
-///   M = I + l ydot e^T / (1 - l e.ydot)                                              docs/math/estimate.md
-/// ydot_px_per_s: velocity of the image of the point. Empty beyond |l e.ydot| = 0.8, where a line may see a point
-/// twice.
-std::optional<Eigen::Matrix2d> line_whitening(const Shutter& shutter, const Vector2d& ydot_px_per_s);
-
-/// The same for a point seen from the body at T_w_b that moves with twist_b; empty also where the lens has no image.
+/// What turns (predicted at the measured line - measured) into the residual of the pixel itself: newton_whitening() for
+/// a point seen from the body at T_w_b that moves with twist_b. Empty also where the lens has no image.
 std::optional<Eigen::Matrix2d> line_whitening(const Camera& camera, const Pose& T_w_b, const Vector6d& twist_b,
                                               const HomogeneousPoint& point);
 

@@ -58,7 +58,9 @@ class OneTopic {
             .diagnostics = std::move(context_.diagnostics),
             .format = topic_.type,
             .axes = axes_,
-            .largest_window = screen_->largest_window()};
+            .largest_window = screen_->largest_window(),
+            .late = context_.late,
+            .delay = clock_.delay()};
   }
 
  private:

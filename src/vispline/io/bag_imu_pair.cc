@@ -140,7 +140,9 @@ ImuStreamResult stream_imu_pair(const std::string& path, const ReadOptions& opti
           .diagnostics = std::move(context.diagnostics),
           .format = gyro.choice.type,
           .axes = {},
-          .largest_window = screen.largest_window()};
+          .largest_window = screen.largest_window(),
+          .late = context.late + accel_context.late,
+          .delay = gyro.clock.delay()};
 }
 
 }  // namespace vispline

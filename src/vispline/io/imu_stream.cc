@@ -56,8 +56,13 @@ ImuStreamResult stream_imu(const std::string& path, const ReadOptions& options, 
   rows.check_constant(screen.stamps());
   screen.finish(rows.unit_ns());
   rows.check_step(screen.stamps());
-  return {std::move(context.counts), std::move(context.diagnostics), plan.format, axes,
-          screen.largest_window(),   lines.largest_buffer()};
+  return {.counts = std::move(context.counts),
+          .diagnostics = std::move(context.diagnostics),
+          .format = plan.format,
+          .axes = axes,
+          .largest_window = screen.largest_window(),
+          .largest_buffer = lines.largest_buffer(),
+          .late = context.late};
 }
 
 }  // namespace vispline

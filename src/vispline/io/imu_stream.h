@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "vispline/core/error.h"
 #include "vispline/io/imu_screen.h"
+#include "vispline/io/message_clock.h"
 #include "vispline/io/read_options.h"
 #include "vispline/io/text_lines.h"
 
@@ -21,10 +23,12 @@ struct ImuStreamSettings {
 struct ImuStreamResult {
   ReadCounts counts;
   Diagnostics diagnostics;
-  std::string format;              ///< kName of the format that was read; of a recording the type of its messages
-  ImuAxes axes;                    ///< that the file has; the others are nan in every sample
-  std::size_t largest_window = 0;  ///< the most rows that were held at a time
-  std::size_t largest_buffer = 0;  ///< the most bytes of text that were held at a time
+  std::string format;                    ///< kName of the format that was read; of a recording the type of its messages
+  ImuAxes axes;                          ///< that the file has; the others are nan in every sample
+  std::size_t largest_window = 0;        ///< the most rows that were held at a time
+  std::size_t largest_buffer = 0;        ///< the most bytes of text that were held at a time
+  std::int64_t late = 0;                 ///< rows that came out of order, and were sorted in
+  std::optional<StampDelay> delay = {};  ///< of the messages of a recording
 
   bool has_gyro() const { return axes.has_gyro(); }
   bool has_accel() const { return axes.has_accel(); }

@@ -23,7 +23,7 @@ struct PngImage {
 
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
   throw Error(ExitCode::kInput, {.code = "E-IMAGE",
-                                 .message = "no PNG image in " + quoted(name) + ": " + what,
+                                 .message = "no PNG image in " + vispline::quoted(name) + ": " + what,
                                  .where = name,
                                  .effect = "image not read",
                                  .next = "give a whole PNG file"});
@@ -59,7 +59,7 @@ GreyImage decode_png(std::string_view bytes, const std::string& name) {
   if (std::uint64_t{png.image.width} * png.image.height > kMostPixels) {
     throw Error(ExitCode::kLimit,
                 {.code = "E-LIMIT",
-                 .message = "the image in " + quoted(name) + " has " + std::to_string(png.image.width) + " x " +
+                 .message = "the image in " + vispline::quoted(name) + " has " + std::to_string(png.image.width) + " x " +
                             std::to_string(png.image.height) + " pixels",
                  .where = name,
                  .effect = "image not read",

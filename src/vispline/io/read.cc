@@ -116,7 +116,8 @@ ReadResult<ImuSignal> read_imu(const std::string& path, const ReadOptions& optio
     imu.value.insert(imu.value.end(), samples.begin(), samples.end());
   };
   ImuStreamResult result = stream_imu(path, options, append, {.whole_imu = true});
-  return {std::move(imu), std::move(result.counts), std::move(result.diagnostics), std::move(result.format)};
+  return {std::move(imu), std::move(result.counts), std::move(result.diagnostics), std::move(result.format),
+          result.late};
 }
 
 ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOptions& options) {
@@ -126,12 +127,14 @@ ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOpti
   drop_nonfinite(context, loaded.rows);
   Signal<Pose> poses = to_poses(context, loaded.rows);
   check_strict(context);
-  return {std::move(poses), std::move(context.counts), std::move(context.diagnostics), std::move(loaded.format)};
+  return {std::move(poses), std::move(context.counts), std::move(context.diagnostics), std::move(loaded.format),
+          context.late};
 }
 
 ContentKind content_of(const std::string& path, const ReadOptions& options) {
   if (is_bag(path)) return content_of_bag(ReadContext(path, "samples", options));
   if (is_recorder(path, options)) return ContentKind::kImu;
+  if (holds_both(path, options)) return ContentKind::kBoth;
   ReadContext context(measurement_file(path, options, SensorKind::kAny), "samples", options);
   TextLines lines(context);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));

@@ -21,6 +21,7 @@ class ReadContext {
 
   ReadCounts counts;
   Diagnostics diagnostics;
+  std::int64_t late = 0;  ///< rows that came out of order, as far as they were kept
 
   const std::string& path() const { return path_; }
   const std::string& noun() const { return noun_; }

@@ -61,6 +61,7 @@ RigDocument euroc_stereo() {
                            .lens = right,
                            .T_c_b = ahead({0.008, -0.045, -0.02}, {0.013, -0.024, -0.01}),
                            .shutter = {.exposure_s = 0.005}}};
+  document.clocks = {{"cam0", {.phase_s = 0.01}}, {"cam1", {.phase_s = 0.01}}};
   return document;
 }
 
@@ -101,7 +102,7 @@ RigDocument gopro() {
        .T_c_b = ahead({0.012, 0.018, 0.005}, {-0.01, 0.005, 0.02}),
        .time_offset_s = -0.008,
        .shutter = {.line_delay_s = 0.013 / kLines, .exposure_s = 0.004}}};
-  document.clocks["cam0"] = {.phase_s = 0.0031};
+  document.clocks["cam0"] = {.phase_s = 0.0231};
   return document;
 }
 

@@ -69,6 +69,12 @@ const SensorFile& only(const std::string& folder, const std::vector<SensorFile>&
   return *std::ranges::find(sensors, fit.front().name, &SensorFile::name);
 }
 
+[[noreturn]] void fail_no_sensors(const std::string& path) {
+  fail(ExitCode::kInput, "E-OPEN",
+       "cannot read " + vispline::quoted(path) + ": it is a folder with neither metadata.yaml nor SENSOR/data.csv",
+       path, "name a file, the folder of a rosbag2, or one that holds mav0");
+}
+
 }  // namespace
 
 std::vector<SensorFile> sensor_files(const std::string& folder) {
@@ -91,6 +97,25 @@ std::vector<SensorFile> sensor_files(const std::string& folder) {
   return sensors;
 }
 
+std::vector<SensorFile> sensors_of_interest(const std::string& folder) {
+  const std::vector<SensorFile> all = sensor_files(folder);
+  if (all.empty()) fail_no_sensors(folder);
+  std::vector<SensorFile> known;
+  std::ranges::copy_if(all, std::back_inserter(known),
+                       [](const SensorFile& s) { return is_of(s.name, SensorKind::kAny); });
+  return known.empty() ? all : known;
+}
+
+bool holds_both(const std::string& path, const ReadOptions& options) {
+  std::error_code error;
+  if (!options.topic.empty() || !fs::is_directory(path, error)) return false;
+  const std::vector<SensorFile> sensors = sensor_files(path);
+  const auto any = [&](SensorKind kind) {
+    return std::ranges::any_of(sensors, [&](const SensorFile& s) { return is_of(s.name, kind); });
+  };
+  return any(SensorKind::kImu) && any(SensorKind::kPoses);
+}
+
 std::string measurement_file(const std::string& path, const ReadOptions& options, SensorKind kind) {
   const bool has_topic = !options.topic.empty() || !options.gyro_topic.empty() || !options.accel_topic.empty();
   std::error_code error;
@@ -100,11 +125,7 @@ std::string measurement_file(const std::string& path, const ReadOptions& options
          "--topic", "leave it out, or pass auto in its place for this input");
   }
   std::vector<SensorFile> sensors = sensor_files(path);
-  if (sensors.empty()) {
-    fail(ExitCode::kInput, "E-OPEN",
-         "cannot read " + vispline::quoted(path) + ": it is a folder with neither metadata.yaml nor SENSOR/data.csv",
-         path, "name a file, the folder of a rosbag2, or one that holds mav0");
-  }
+  if (sensors.empty()) fail_no_sensors(path);
   if (!options.topic.empty()) return named(path, sensors, options.topic).path;
   if (sensors.size() == 1) return sensors.front().path;
   return only(path, sensors, kind).path;

@@ -18,6 +18,13 @@ struct SensorFile {
 /// none. Never throws.
 std::vector<SensorFile> sensor_files(const std::string& folder);
 
+/// Those of them whose names say that they hold IMU samples or poses; all if none does. Throws E-OPEN (exit 3) for a
+/// folder without sensors.
+std::vector<SensorFile> sensors_of_interest(const std::string& folder);
+
+/// Does `path` name a folder with sensors of both kinds, and no topic one of them?
+bool holds_both(const std::string& path, const ReadOptions& options);
+
 /// Which sensors hold a kind of signal, by the beginning of their names.
 enum class SensorKind { kImu, kPoses, kAny };
 

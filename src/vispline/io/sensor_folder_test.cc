@@ -33,7 +33,8 @@ TEST_F(EurocFolder, SensorsAreFoundByTheirNames) {
     EXPECT_EQ(imu_outcome(path, {.topic = "imu0"}).kept, 100);
   }
   EXPECT_EQ(imu_outcome(folder_.path("mav0/imu0")).kept, 100);
-  EXPECT_EQ(content_of(root()), ContentKind::kImu);
+  EXPECT_EQ(content_of(root()), ContentKind::kBoth);
+  EXPECT_EQ(content_of(root(), {.topic = "imu0"}), ContentKind::kImu);
   EXPECT_EQ(content_of(root(), {.topic = "mocap0"}), ContentKind::kTrajectory);
 }
 

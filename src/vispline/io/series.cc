@@ -70,7 +70,7 @@ ReadResult<std::vector<double>> read_series(const std::string& path, const ReadO
   if (values.empty()) fail_none_left(context);
   context.counts.kept = static_cast<std::int64_t>(values.size());
   check_strict(context);
-  return {std::move(values), std::move(context.counts), std::move(context.diagnostics), "series"};
+  return {std::move(values), std::move(context.counts), std::move(context.diagnostics), "series", 0};
 }
 
 }  // namespace vispline

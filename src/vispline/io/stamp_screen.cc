@@ -247,6 +247,7 @@ void StampScreen::judge_reset(double unit_ns) const {
 
 void StampScreen::judge_order() {
   const std::int64_t late = arrived_ - in_order_;
+  context_.late = late;
   if (late == 0) return;
   const std::string where = context_.where_line(backs_.where);
   const std::string found = std::to_string(late) + " rows (" + percent(context_.share(late)) +

@@ -151,8 +151,12 @@ ImuStreamResult stream(const Input& input, const ReadOptions& options, const Imu
   push_paired(context, rows.gyro, rows.accel, screen);
   screen.flush();
   screen.finish();
-  return {
-      std::move(context.counts), std::move(context.diagnostics), std::string(kName), axes, screen.largest_window(), 0};
+  return {.counts = std::move(context.counts),
+          .diagnostics = std::move(context.diagnostics),
+          .format = std::string(kName),
+          .axes = axes,
+          .largest_window = screen.largest_window(),
+          .late = context.late};
 }
 
 }  // namespace vispline::ulog

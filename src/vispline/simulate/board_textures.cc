@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vispline/core/error.h"
 #include "vispline/simulate/tag36h11.h"
 
 namespace vispline {
@@ -12,6 +13,7 @@ constexpr int kRimCells = 2;           // paper, then the row of black squares o
 constexpr int kPitch = kTagCells + 1;  // a tag and the gap behind it
 constexpr int kCellsOfSpacing = 32;    // of a circle grid
 constexpr int kSamplesOfCell = 8;
+constexpr double kMostDiscs = 16000.0;  // 2^24 cells
 
 /// Fractions of the sheet at which cells of an AprilGrid with `tags` tags in this direction meet.
 std::vector<double> aprilgrid_edges(int tags, double spacing) {
@@ -88,6 +90,7 @@ Texture checkerboard_texture(const Checkerboard& board) {
 
 Texture circle_grid_texture(const CircleGrid& board) {
   const int width = board.is_asymmetric ? 2 * board.cols - (board.rows == 1 ? 1 : 0) : board.cols;
+  require((width + 1.0) * (board.rows + 1.0) <= kMostDiscs, "a grid of at most 16000 circles");
   Sheet sheet{(width + 1) * kCellsOfSpacing, (board.rows + 1) * kCellsOfSpacing};
   const double radius = board.radius_m / board.spacing_m * kCellsOfSpacing;
   for (int r = 0; r < board.rows; ++r) {

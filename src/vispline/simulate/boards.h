@@ -34,7 +34,7 @@ struct CircleGrid {
 };
 
 /// The board at T_w_t. Throws E-ARGUMENT for sizes that are not positive, and for an AprilGrid of more tags than the
-/// family has, 587.
+/// family has, 587, or a circle grid of more than 16000 places.
 Scene aprilgrid_scene(const AprilGrid& board, const Pose& T_w_t);
 Scene checkerboard_scene(const Checkerboard& board, const Pose& T_w_t);
 Scene circle_grid_scene(const CircleGrid& board, const Pose& T_w_t);

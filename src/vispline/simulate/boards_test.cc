@@ -78,6 +78,7 @@ TEST(Boards, ImpossibleOnesAreRefused) {
   EXPECT_THROW(aprilgrid_scene({.tag_spacing = 0.0}, {}), Error);
   EXPECT_THROW(checkerboard_scene({.cols = 0}, {}), Error);
   EXPECT_THROW(circle_grid_scene({.radius_m = 0.02}, {}), Error);
+  EXPECT_THROW(circle_grid_scene({.cols = 200, .rows = 200}, {}), Error);
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ void check_inside(const ImuSimulation& simulation, const Stamps& stamps, IndexRa
 }  // namespace
 
 std::size_t simulate_imu(const Trajectory& trajectory, const ImuSimulation& simulation, const Stamps& stamps,
-                         const ImuSink& sink) {
+                         const SimulationSink& sink) {
   require_valid(simulation.imu);
   require(simulation.g_w.allFinite(), "a finite gravity vector");
   require(std::abs(simulation.clock_drift) < 0.01, "a clock drift below 0.01 s/s");

@@ -41,7 +41,7 @@ struct SimulatedImu {
 };
 
 /// Called with consecutive blocks, on the calling thread; the block is reused after the call returns.
-using ImuSink = std::function<void(const SimulatedImu& block)>;
+using SimulationSink = std::function<void(const SimulatedImu& block)>;
 
 /// Streams the samples of one IMU, block by block, in memory that does not grow with their number. The trajectory is
 /// evaluated at stamp + time_offset + clock_drift (stamp - clock_start) (docs/math/imu.md (1), sensors/clock.h).
@@ -49,7 +49,7 @@ using ImuSink = std::function<void(const SimulatedImu& block)>;
 /// block size of 0, and Error(kUnfit, E-SPAN) if stamps lie outside the trajectory's span (OutsideSpan::kError) or all
 /// of them do; then the sink has not been called.
 std::size_t simulate_imu(const Trajectory& trajectory, const ImuSimulation& simulation, const Stamps& stamps,
-                         const ImuSink& sink);
+                         const SimulationSink& sink);
 
 /// All samples at once.
 SimulatedImu simulate_imu(const Trajectory& trajectory, const ImuSimulation& simulation, const Stamps& stamps);

@@ -10,6 +10,7 @@ namespace vispline {
 namespace {
 
 constexpr double kMostBins = 1e6;
+constexpr double kRounding = 1e-9;  // of the edges of equal cells
 
 std::vector<double> equal_edges(int cells) {
   std::vector<double> edges;
@@ -28,19 +29,13 @@ Texture::Axis::Axis(std::vector<double> edges, CellEdges kind) : edges_(std::mov
     inverse_width_.push_back(1.0 / width);
     least = std::min(least, width);
   }
-  const auto bins = static_cast<int>(std::ceil(1.0 / least));
+  const auto bins = static_cast<int>(std::ceil((1.0 - kRounding) / least));
+  is_equal_ = bins == cells();
   for (int bin = 0, i = 0; bin < bins; ++bin) {
     while (i + 1 < cells() && edge(i + 1) <= static_cast<double>(bin) / bins) ++i;
     bins_.push_back(i);
   }
   if (kind == CellEdges::kSmooth) least_half_ = 0.5 * std::min(1.0, least);
-}
-
-int Texture::Axis::cell(double x) const {
-  const auto bin = std::min(static_cast<std::size_t>(x * static_cast<double>(bins_.size())), bins_.size() - 1);
-  int i = bins_[bin];
-  while (i + 1 < cells() && edge(i + 1) <= x) ++i;
-  return i;
 }
 
 Texture::Range Texture::Axis::range(double centre, double half) const {

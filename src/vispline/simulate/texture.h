@@ -2,6 +2,8 @@
 /// sees has no aliasing however small the cells look. docs/math/rendering.md, Textures.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -50,14 +52,23 @@ class Texture {
     }
 
    private:
-    int cell(double x) const;
+    int cell(double x) const {
+      const double bin = x * static_cast<double>(bins_.size());
+      if (is_equal_) return std::min(static_cast<int>(bin), cells() - 1);
+      int i = bins_[std::min(static_cast<std::size_t>(bin), bins_.size() - 1)];
+      while (i + 1 < cells() && edge(i + 1) <= x) ++i;
+      return i;
+    }
 
+    bool is_equal_ = false;  ///< as many cells as bins
     std::vector<double> edges_, inverse_width_;
     std::vector<int> bins_;  ///< cell that holds the start of each of equal bins, none wider than a cell
     double least_half_ = 0.0;
   };
 
-  double grey(int cx, int cy) const { return grey_[static_cast<std::size_t>(cy * x_.cells() + cx)]; }
+  double grey(int cx, int cy) const {
+    return grey_[static_cast<std::size_t>(cy) * static_cast<std::size_t>(x_.cells()) + static_cast<std::size_t>(cx)];
+  }
   double integral(int cx, double x, int cy, double y) const;
 
   CellEdges kind_;

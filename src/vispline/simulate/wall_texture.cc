@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "vispline/core/error.h"
 #include "vispline/core/random.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kMostCells = 1 << 24;
 constexpr std::array<double, 4> kCloudSizes_m{1.6, 0.4, 0.1, 0.025};
+constexpr double kCloudContrast = 30.0;
 constexpr double kPatchesPerSquareMetre = 12.0;
 constexpr double kLeastPatch_m = 0.04, kPatchSpread_m = 0.3;
 
@@ -22,34 +24,36 @@ struct Sheet {
   float& at(int col, int row) { return grey[static_cast<std::size_t>(row * cols + col)]; }
 };
 
-/// Random numbers from -1 to 1 on a lattice, with smooth steps between: value noise.
-class Cloud {
- public:
-  Cloud(double cells, int cols, int rows, const RandomStream& stream)
-      : cells_(cells), width_(static_cast<std::size_t>(cols / cells) + 2) {
-    const std::size_t count = width_ * (static_cast<std::size_t>(rows / cells) + 2);
-    for (std::size_t i = 0; i < count; ++i) lattice_.push_back(2.0 * stream.uniform_pair(i)[0] - 1.0);
-  }
-  double at(int col, int row) const {
-    const double x = col / cells_, y = row / cells_;
-    const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
-    const double s = step(x - std::floor(x)), t = step(y - std::floor(y));
-    const double* low = &lattice_[j * width_ + i];
-    const double* high = low + width_;
-    const double below = low[0] + s * (low[1] - low[0]), above = high[0] + s * (high[1] - high[0]);
-    return below + t * (above - below);
-  }
-
- private:
-  static double step(double x) { return x * x * (3.0 - 2.0 * x); }
-  double cells_;
-  std::size_t width_;
-  std::vector<double> lattice_;
+/// Where the cells of a row or column lie on a lattice: the point before, and the smooth step to the next.
+struct LatticePlace {
+  std::size_t point;
+  double step;
 };
 
-void add_cloud(Sheet& sheet, const Cloud& cloud, float contrast) {
-  for (int row = 0; row < sheet.rows; ++row) {
-    for (int col = 0; col < sheet.cols; ++col) sheet.at(col, row) += contrast * static_cast<float>(cloud.at(col, row));
+std::vector<LatticePlace> lattice_places(int cells, double cells_per_point) {
+  std::vector<LatticePlace> places;
+  for (int cell = 0; cell < cells; ++cell) {
+    const double x = cell / cells_per_point, part = x - std::floor(x);
+    places.push_back({static_cast<std::size_t>(x), part * part * (3.0 - 2.0 * part)});
+  }
+  return places;
+}
+
+/// Adds random numbers from -contrast to contrast on a lattice with smooth steps between: value noise.
+void add_cloud(Sheet& sheet, double cells_per_point, double contrast, const RandomStream& stream) {
+  const auto cols = lattice_places(sheet.cols, cells_per_point), rows = lattice_places(sheet.rows, cells_per_point);
+  const std::size_t width = cols.back().point + 2;
+  std::vector<double> lattice(width * (rows.back().point + 2));
+  for (std::size_t i = 0; i < lattice.size(); ++i) lattice[i] = contrast * (2.0 * stream.uniform_pair(i)[0] - 1.0);
+  std::vector<double> line(width);
+  float* cell = sheet.grey.data();
+  for (const LatticePlace& row : rows) {
+    const double* low = lattice.data() + row.point * width;
+    for (std::size_t i = 0; i < width; ++i) line[i] = low[i] + row.step * (low[i + width] - low[i]);
+    for (const LatticePlace& col : cols) {
+      const double* left = line.data() + col.point;
+      *cell++ += static_cast<float>(left[0] + col.step * (left[1] - left[0]));
+    }
   }
 }
 
@@ -77,9 +81,8 @@ Texture wall_texture(const Vector2d& size_m, double cell_m, std::uint64_t seed, 
   Sheet sheet{std::max(1, static_cast<int>(std::lround(size_m.x() / cell_m))),
               std::max(1, static_cast<int>(std::lround(size_m.y() / cell_m)))};
   for (const double size : kCloudSizes_m) {
-    const double cells = std::max(1.0, size / cell_m);
-    add_cloud(sheet, Cloud(cells, sheet.cols, sheet.rows, RandomStream(seed, name + "/cloud/" + std::to_string(size))),
-              30.0f);
+    add_cloud(sheet, std::max(1.0, size / cell_m), kCloudContrast,
+              RandomStream(seed, name + "/cloud/" + std::to_string(size)));
   }
   add_patches(sheet, static_cast<std::size_t>(kPatchesPerSquareMetre * size_m.prod()), cell_m,
               RandomStream(seed, name + "/patches"));

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Reading speed of every container: vispline beside rosbags and mcap (PyPI), in one run.
+
+usage: python3 bench/read_bags.py [--hours 3] [--program build/release/vispline] [--work build/read_bags]
+
+Writes an Imu recording of that length at 200 Hz with vispline in each container and compression, reads each with
+`vispline info` (checks and statistics of every sample) and with the Python libraries (every Imu message decoded), and
+prints MB/s of the file's bytes and the peak resident memory. The Python packages go into a venv under the work folder.
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+import time
+
+CASES = [("rosbag", "none"), ("rosbag", "bz2"), ("rosbag", "lz4"), ("mcap", "none"), ("mcap", "lz4"), ("mcap", "zstd"),
+         ("rosbag2", "none")]
+
+ROSBAGS = """
+import sys, pathlib
+from rosbags.highlevel import AnyReader
+from rosbags.typesys import Stores, get_typestore
+count = 0
+with AnyReader([pathlib.Path(sys.argv[1])], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as reader:
+    for connection, _, data in reader.messages():
+        count += reader.deserialize(data, connection.msgtype).header.stamp.sec > 0
+print(count)
+"""
+
+MCAP = """
+import sys
+from mcap.reader import make_reader
+from mcap_ros2.decoder import DecoderFactory
+count = 0
+with open(sys.argv[1], "rb") as file:
+    for _, _, _, message in make_reader(file, decoder_factories=[DecoderFactory()]).iter_decoded_messages():
+        count += message.header.stamp.sec > 0
+print(count)
+"""
+
+
+def with_memory(command):
+    """Seconds and peak MB of one process, by a helper that has no other child; None if it fails."""
+    helper = ("import resource, subprocess, sys, time\n"
+              "begin = time.monotonic()\n"
+              "code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode\n"
+              "print(code, time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024)\n")
+    out = subprocess.run([sys.executable, "-c", helper, *command], capture_output=True, text=True, check=True).stdout
+    code, seconds, memory = out.split()
+    return (float(seconds), float(memory)) if code == "0" else (None, None)
+
+
+def size_of(path):
+    path = pathlib.Path(path)
+    return sum(f.stat().st_size for f in path.rglob("*") if f.is_file()) if path.is_dir() else path.stat().st_size
+
+
+def make(program, work, hours):
+    table = work / "imu.csv"
+    start = "1600000000"
+    if not table.exists():
+        subprocess.run([program, "simulate", "--trajectory", "static", "--start", start, "--duration", str(hours * 3600),
+                        "--imu-rate", "200", "--noise", "course", "--seed", "1", "--out", str(table)], check=True,
+                       stdout=subprocess.DEVNULL)
+    files = {}
+    for container, compression in CASES:
+        suffix = {"rosbag": ".bag", "mcap": ".mcap", "rosbag2": ""}[container]
+        files[container, compression] = work / f"{container}_{compression}{suffix}"
+        if not files[container, compression].exists():
+            subprocess.run([program, "convert", str(table), str(files[container, compression]), "--format", container,
+                            "--compression", compression], check=True, stdout=subprocess.DEVNULL)
+    return files
+
+
+def python_of(work):
+    venv = work / "venv"
+    if not venv.exists():
+        subprocess.run([sys.executable, "-m", "venv", str(venv)], check=True)
+        subprocess.run([str(venv / "bin/pip"), "install", "-q", "rosbags", "mcap", "mcap-ros2-support"], check=True)
+    return str(venv / "bin/python")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--hours", type=float, default=3.0)
+    parser.add_argument("--program", default="build/release/vispline")
+    parser.add_argument("--work", default="build/read_bags")
+    arguments = parser.parse_args()
+    work = pathlib.Path(arguments.work)
+    work.mkdir(parents=True, exist_ok=True)
+    files, python = make(arguments.program, work, arguments.hours), python_of(work)
+    print(f"{'container':20} {'MB':>7}  {'reader':10} {'s':>8} {'MB/s':>8} {'peak MB':>8}")
+    for (container, compression), path in files.items():
+        megabytes = size_of(path) / 1e6
+        readers = {"vispline": [arguments.program, "info", str(path)], "rosbags": [python, "-c", ROSBAGS, str(path)]}
+        if container == "mcap":
+            readers["mcap"] = [python, "-c", MCAP, str(path)]
+        for name, command in readers.items():
+            seconds, memory = with_memory(command)
+            speed = "failed" if seconds is None else f"{megabytes / seconds:8.1f}"
+            print(f"{container + ' ' + compression:20} {megabytes:7.0f}  {name:10} {seconds or 0:8.1f} {speed:>8} "
+                  f"{memory or 0:8.0f}", flush=True)
+
+
+if __name__ == "__main__":
+    main()

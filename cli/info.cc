@@ -1,0 +1,95 @@
+// vispline info FILE: what a file holds, and what is odd about it.
+#include <iostream>
+#include <memory>
+
+#include "flags.h"
+#include "info_calibration.h"
+#include "info_document.h"
+#include "reading_progress.h"
+#include "verbs.h"
+#include "vispline/bags/open_bag.h"
+
+namespace vispline::cli {
+namespace {
+
+struct InfoFlags {
+  Session session;
+  ReadFlags read;
+  std::string path;
+};
+
+FileInfo info_of_recording(const std::string& path, const ReadOptions& options) {
+  FileInfo info;
+  const bool pair = !options.gyro_topic.empty() || !options.accel_topic.empty();
+  info.recording = survey_recording(path, options, reading_progress("looking"));
+  if (pair) info.signals.push_back(survey_imu(path, options, reading_progress("reading")));
+  for (const TopicSurvey& topic : info.recording->topics) {
+    if (pair || topic.receive.count == 0) continue;
+    ReadOptions one = options;
+    one.topic = topic.name;
+    if (topic.use == TopicUse::kImu) info.signals.push_back(survey_imu(path, one, reading_progress("reading")));
+    if (topic.use == TopicUse::kPoses) info.signals.push_back(survey_poses(path, one));
+  }
+  return info;
+}
+
+/// What only keeps other verbs from using a signal is a finding here; what cannot be read is the exit code.
+void account(FileInfo& info, Session& session) {
+  if (info.recording) session.add(info.recording->diagnostics);
+  for (SignalSurvey& signal : info.signals) {
+    if (!signal.error) {
+      const std::string role = signal.imu ? "imu" : "trajectory";
+      if (!info.recording) {
+        session.add_input(role, signal.counts, signal.diagnostics);
+        continue;
+      }
+      session.context.inputs.push_back({signal.name, signal.counts});
+      session.add(signal.diagnostics);
+      continue;
+    }
+    if (signal.error->exit_code() == ExitCode::kInput) continue;
+    Diagnostic finding = signal.error->diagnostic();
+    finding.code.replace(0, 1, "W");
+    finding.effect = "other verbs refuse this signal";
+    session.add(finding);
+  }
+}
+
+void throw_first_error(const FileInfo& info) {
+  for (const SignalSurvey& signal : info.signals) {
+    if (signal.error && signal.error->exit_code() != ExitCode::kUnfit) throw *signal.error;
+  }
+}
+
+void run(InfoFlags& flags) {
+  ReadOptions options = flags.read.options(0, flags.session);
+  options.strict = false;
+  if (is_calibration(flags.path)) {
+    const std::optional<double> rate = options.rate_hz > 0.0 ? std::optional(options.rate_hz) : std::nullopt;
+    return print_calibration(flags.path, rate, flags.session);
+  }
+  FileInfo info;
+  if (is_bag(flags.path)) {
+    info = info_of_recording(flags.path, options);
+  } else {
+    info.signals = survey_tables(flags.path, options, reading_progress("reading"));
+  }
+  account(info, flags.session);
+  flags.session.finish();
+  std::cout << (flags.session.json ? info_json(info, flags.session.context) : info_text(info)) << std::flush;
+  throw_first_error(info);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto flags = std::make_shared<InfoFlags>();
+  CLI::App* verb = app.add_subcommand("info", "what a recording, table or calibration file holds, and what is odd");
+  verb->add_option("file", flags->path, "bag, MCAP, rosbag2 or EuRoC folder, table, calibration or noise file")
+      ->required();
+  flags->read.add_to(*verb);
+  add_session_flags(*verb, flags->session);
+  verb->callback([flags] { run(*flags); });
+}
+
+}  // namespace vispline::cli
