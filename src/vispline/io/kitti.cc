@@ -69,8 +69,12 @@ SensorRow pose_row(ReadContext& context, const Numbers& numbers, std::int64_t li
   return row;
 }
 
+/// kNoStamp beyond 64 bits.
 std::int64_t stamp_of(const StampPlan& stamps, std::int64_t index) {
-  if (stamps.clock) return to_ns((*stamps.clock)(index));
+  if (stamps.clock) {
+    const bool fits = static_cast<double>(index) * 1e9 / stamps.clock->rate_hz < 9e18;
+    return fits ? to_ns((*stamps.clock)(index)) : kNoStamp;
+  }
   return to_nanoseconds({.whole = index}, *stamps.given).value_or(kNoStamp);
 }
 
