@@ -81,6 +81,10 @@ void ReadFlags::add_to(CLI::App& verb) {
         ->expected(1)
         ->group("Reading");
   };
+  flag("--topic", topic, "topic of a recording, or sensor of an EuRoC folder; the only one that fits otherwise");
+  flag("--gyro-topic", gyro_topic, "topic of a gyroscope that stands alone, goes with --accel-topic");
+  flag("--accel-topic", accel_topic, "topic of the accelerometer that goes with --gyro-topic");
+  flag("--time", time, "header: stamps of the messages (the default), or receive: when the recorder got them");
   flag("--input-format", format, "format of the input, found from its content otherwise");
   flag("--columns", columns, "names of the columns, such as t,gx,gy,gz,ax,ay,az");
   flag("--time-unit", time_unit, "s, ms, us, ns or index@RATE with RATE in Hz, such as 200 or 2000/7");
@@ -96,6 +100,8 @@ void ReadFlags::add_to(CLI::App& verb) {
 ReadOptions ReadFlags::options(std::size_t index, const Session& session) const {
   const std::string sign = nth(decimal, index);
   require(sign.empty() || sign == "." || sign == ",", "--decimal . or ,");
+  const std::string clock = nth(time, index);
+  require(clock.empty() || clock == "header" || clock == "receive", "--time header or receive");
   return {.format = nth(format, index),
           .columns = nth(columns, index),
           .time_unit = nth(time_unit, index),
@@ -104,6 +110,10 @@ ReadOptions ReadFlags::options(std::size_t index, const Session& session) const 
           .accel_unit = nth(accel_unit, index),
           .imu_axes = nth(imu_axes, index),
           .decimal = sign.empty() ? '.' : sign[0],
+          .topic = nth(topic, index),
+          .gyro_topic = nth(gyro_topic, index),
+          .accel_topic = nth(accel_topic, index),
+          .clock = clock == "receive" ? StampClock::kReceive : StampClock::kHeader,
           .skip_bad_rows = skip_bad_rows,
           .repair = repair,
           .strict = session.strict};

@@ -21,6 +21,7 @@ OutputOptions output_options(const Session& session);
 /// How to read the inputs. Each flag holds for all inputs, or is given once for each of them, in order.
 struct ReadFlags {
   std::vector<std::string> format, columns, time_unit, rate, gyro_unit, accel_unit, imu_axes, decimal;
+  std::vector<std::string> topic, gyro_topic, accel_topic, time;
   bool skip_bad_rows = false, repair = false;
 
   void add_to(CLI::App& verb);

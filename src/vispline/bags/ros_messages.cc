@@ -1,24 +1,11 @@
 #include "vispline/bags/ros_messages.h"
 
-#include <array>
-#include <utility>
+#include "vispline/bags/ros_definitions.h"
 
 namespace vispline::ros {
 namespace {
 
 constexpr std::size_t kMaxPadding = 3;
-
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kMd5{{
-    {"sensor_msgs/Imu", "6a62c6daae103f4ff57a132d6f95cec2"},
-    {"sensor_msgs/Image", "060021388200f6f0f447d0fcd9c64743"},
-    {"sensor_msgs/CompressedImage", "8f7a12909da2c9d3332d540a0977563f"},
-    {"sensor_msgs/CameraInfo", "c9a58c1b0b154e0e6da7578cb991d214"},
-    {"geometry_msgs/PoseStamped", "d3812c3cbc69362b77dc0b19b345f8f5"},
-    {"nav_msgs/Odometry", "cd5e73d190d741a2f92e81eda573aca7"},
-    {"geometry_msgs/TransformStamped", "b5764a33bfeb3588febc2682852579b0"},
-    {"geometry_msgs/PoseWithCovarianceStamped", "953b798c0f514ff060a53a3498ce6246"},
-    {"geometry_msgs/PointStamped", "c63aecb41bfdfd6b7e1fac37c7cbe7bf"},
-}};
 
 void read(RosFields& in, Header& header) {
   if (!in.is_cdr()) in.u32();  // seq
@@ -145,10 +132,9 @@ std::string plain_type(std::string_view type) {
 Match match(const Topic& topic, std::string_view type) {
   if (plain_type(topic.type) != plain_type(type) || topic.wire == Wire::kOther) return Match::kOtherType;
   if (topic.wire == Wire::kCdr || topic.md5.empty() || topic.md5 == "*") return Match::kSame;
-  for (const auto& [name, md5] : kMd5) {
-    if (name == plain_type(type)) return topic.md5 == md5 ? Match::kSame : Match::kOtherDefinition;
-  }
-  return Match::kOtherType;
+  const std::string known = known_md5(plain_type(type));
+  if (known.empty()) return Match::kOtherType;
+  return topic.md5 == known ? Match::kSame : Match::kOtherDefinition;
 }
 
 }  // namespace vispline::ros

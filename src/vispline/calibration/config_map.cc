@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "vispline/calibration/yaml_error.h"
+#include "vispline/core/edit_distance.h"
 
 namespace vispline {
 namespace {
@@ -37,20 +37,6 @@ std::string described(const YamlNode& node) {
 std::string in_unit(std::string_view unit) { return unit.empty() ? "" : " in " + std::string(unit); }
 
 }  // namespace
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 ConfigMap::ConfigMap(const YamlFile& file, const YamlNode& map, std::string name, Diagnostics& diagnostics)
     : file_(file), map_(map), name_(std::move(name)), diagnostics_(diagnostics) {

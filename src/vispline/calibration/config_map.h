@@ -72,7 +72,4 @@ class ConfigMap {
   std::set<std::string, std::less<>> asked_;
 };
 
-/// Number of single-character edits between two words.
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 }  // namespace vispline

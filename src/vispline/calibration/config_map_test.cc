@@ -112,11 +112,5 @@ TEST_F(Config, UnknownKeysAreWarnings) {
   EXPECT_EQ(diagnostics_.examples().front().where, "f:3:3");
 }
 
-TEST(EditDistance, OfWords) {
-  EXPECT_EQ(edit_distance("", "abc"), 3u);
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
-  EXPECT_EQ(edit_distance("same", "same"), 0u);
-}
-
 }  // namespace
 }  // namespace vispline

@@ -3,8 +3,11 @@
 #include <utility>
 #include <vector>
 
+#include "vispline/bags/open_bag.h"
+#include "vispline/io/bag_imu.h"
 #include "vispline/io/formats.h"
 #include "vispline/io/recorders.h"
+#include "vispline/io/sensor_folder.h"
 #include "vispline/io/timed_rows.h"
 
 namespace vispline {
@@ -31,8 +34,9 @@ ImuSample sample_of(const RowValues& values, double gyro, double accel) {
 
 ImuStreamResult stream_imu(const std::string& path, const ReadOptions& options, const ImuSink& sink,
                            const ImuStreamSettings& settings) {
+  if (is_bag(path)) return stream_imu_bag(path, options, sink, settings);
   if (is_recorder(path, options)) return stream_recorder(path, options, sink, settings);
-  ReadContext context(path, "IMU samples", options);
+  ReadContext context(measurement_file(path, options, SensorKind::kImu), "IMU samples", options);
   TextLines lines(context, settings.block_bytes, settings.progress);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));
   lines.start_at(layout.data_begin, layout.data_line);

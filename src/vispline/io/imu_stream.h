@@ -1,4 +1,4 @@
-/// IMU samples of a text file of any length, block by block in constant memory. docs/formats.md, Long recordings.
+/// IMU samples of a file of any kind and length, block by block in constant memory. docs/formats.md, Long recordings.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct ImuStreamSettings {
 struct ImuStreamResult {
   ReadCounts counts;
   Diagnostics diagnostics;
-  std::string format;              ///< kName of the format that was read
+  std::string format;              ///< kName of the format that was read; of a recording the type of its messages
   ImuAxes axes;                    ///< that the file has; the others are nan in every sample
   std::size_t largest_window = 0;  ///< the most rows that were held at a time
   std::size_t largest_buffer = 0;  ///< the most bytes of text that were held at a time

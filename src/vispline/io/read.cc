@@ -5,13 +5,18 @@
 #include <utility>
 #include <vector>
 
+#include "vispline/bags/open_bag.h"
+#include "vispline/io/bag_messages.h"
+#include "vispline/io/bag_poses.h"
 #include "vispline/io/formats.h"
 #include "vispline/io/imu_stream.h"
 #include "vispline/io/kitti.h"
 #include "vispline/io/read_end.h"
 #include "vispline/io/recorders.h"
 #include "vispline/io/rotations.h"
+#include "vispline/io/sensor_folder.h"
 #include "vispline/io/timed_rows.h"
+#include "vispline/io/topic_choice.h"
 
 namespace vispline {
 namespace {
@@ -66,12 +71,7 @@ Signal<Pose> to_poses(ReadContext& context, const std::vector<SensorRow>& rows) 
   return poses;
 }
 
-struct PoseRows {
-  std::vector<SensorRow> rows;
-  std::string format;
-};
-
-PoseRows load_poses(ReadContext& context) {
+PoseRows load_table_poses(ReadContext& context) {
   TextLines lines(context);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));
   lines.start_at(layout.data_begin, layout.data_line);
@@ -93,6 +93,20 @@ PoseRows load_poses(ReadContext& context) {
   return kept;
 }
 
+/// Of the topic that is named, or of all.
+ContentKind content_of_bag(const ReadContext& context) {
+  const ReadOptions& options = context.options();
+  const auto reader = open_recording(context);
+  std::vector<Topic> topics = reader->topics();
+  if (!options.topic.empty()) std::erase_if(topics, [&](const Topic& topic) { return topic.name != options.topic; });
+  const bool imu = has_topic_of(topics, kImuTypes), poses = has_topic_of(topics, kPoseTypes);
+  if (imu && poses) return ContentKind::kBoth;
+  if (imu || !options.gyro_topic.empty()) return ContentKind::kImu;
+  if (poses) return ContentKind::kTrajectory;
+  context.fail(ExitCode::kUnfit, "E-TOPIC", "no topic holds poses or IMU samples", context.path(),
+               "the recording holds " + topic_list(reader->topics(), options.topic));
+}
+
 }  // namespace
 
 ReadResult<ImuSignal> read_imu(const std::string& path, const ReadOptions& options) {
@@ -106,8 +120,9 @@ ReadResult<ImuSignal> read_imu(const std::string& path, const ReadOptions& optio
 }
 
 ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOptions& options) {
-  ReadContext context(path, "poses", options);
-  PoseRows loaded = load_poses(context);
+  const bool is_recording = is_bag(path);
+  ReadContext context(is_recording ? path : measurement_file(path, options, SensorKind::kPoses), "poses", options);
+  PoseRows loaded = is_recording ? load_bag_poses(context) : load_table_poses(context);
   drop_nonfinite(context, loaded.rows);
   Signal<Pose> poses = to_poses(context, loaded.rows);
   check_strict(context);
@@ -115,8 +130,9 @@ ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOpti
 }
 
 ContentKind content_of(const std::string& path, const ReadOptions& options) {
+  if (is_bag(path)) return content_of_bag(ReadContext(path, "samples", options));
   if (is_recorder(path, options)) return ContentKind::kImu;
-  ReadContext context(path, "samples", options);
+  ReadContext context(measurement_file(path, options, SensorKind::kAny), "samples", options);
   TextLines lines(context);
   const TextLayout layout = find_layout(context, lines.head(kHeadRows));
   if (kitti::recognizes(context, layout)) return ContentKind::kTrajectory;

@@ -1,4 +1,5 @@
-/// The front of the readers: a file in, a signal and an account of every row out. docs/formats.md.
+/// The front of the readers: a text table, a recording of messages (rosbag, MCAP, rosbag2) or a folder of sensors in, a
+/// signal and an account of every row out. docs/formats.md.
 #pragma once
 
 #include <string>
@@ -21,7 +22,8 @@ ReadResult<Signal<Pose>> read_trajectory(const std::string& path, const ReadOpti
 /// What the columns of a file hold.
 enum class ContentKind { kImu, kTrajectory, kBoth };
 
-/// From the first rows only. Throws as the readers do if the file cannot be read or its columns mean neither.
+/// From the first rows, or the topics, only. Throws as the readers do if the file cannot be read or its columns mean
+/// neither.
 ContentKind content_of(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace vispline

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "vispline/core/error.h"
 #include "vispline/io/read_options.h"
@@ -25,8 +26,10 @@ class ReadContext {
   const std::string& noun() const { return noun_; }
   const ReadOptions& options() const { return options_; }
 
-  /// file:line, from 1.
-  std::string where_line(std::int64_t line) const { return path_ + ":" + std::to_string(line); }
+  /// The place of a row: file:line, from 1, or whatever else the rows of this file are counted in.
+  std::string where_line(std::int64_t line) const { return path_ + between_ + std::to_string(line); }
+  /// Rows are found by another number than their line; `between` stands between file and number: ", byte ".
+  void name_places(std::string between) { between_ = std::move(between); }
 
   void warn(std::string code, std::string message, std::string where, std::string effect, std::string next = "");
   /// One row is left out: warned about and counted.
@@ -40,6 +43,7 @@ class ReadContext {
 
  private:
   std::string path_;
+  std::string between_ = ":";
   std::string noun_;
   ReadOptions options_;
 };

@@ -54,7 +54,9 @@ void StampScreen::push(const SensorRow& row) {
   if (row.ns < 0) {
     ++out_of_range_;
     context_.drop("W-TIME-RANGE",
-                  row.ns == kNoStamp ? "the stamp is no time of 64 bits in nanoseconds" : "the stamp is negative",
+                  row.ns == kNoStamp
+                      ? "the stamp is no time: beyond 64 bits of nanoseconds, or a second of 1e9 nanoseconds and more"
+                      : "the stamp is negative",
                   context_.where_line(row.where));
     return;
   }
