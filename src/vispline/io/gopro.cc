@@ -204,6 +204,7 @@ bool recognizes(Bytes head) {
 ImuStreamResult stream(const Input& input, const ReadOptions& options, const ImuSink& sink,
                        const ImuStreamSettings& settings) {
   ReadContext context(input.name(), "IMU samples", options);
+  context.name_places(", sample ");
   Loaded loaded;
   if (mp4::recognizes(as_bytes(input.head(16)))) {
     load_mp4(context, input, settings.progress, loaded);

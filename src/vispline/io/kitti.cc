@@ -116,8 +116,13 @@ std::vector<SensorRow> load(ReadContext& context, TextLines& lines, const TextLa
       context.drop("W-TRUNCATED", "the last row is cut", context.where_line(line.number));
       continue;
     }
-    rows.push_back(pose_row(context, numbers, line.number));
-    rows.back().ns = stamp_of(stamps, index);
+    SensorRow row = pose_row(context, numbers, line.number);
+    row.ns = stamp_of(stamps, index);
+    if (row.ns == kNoStamp) {
+      context.drop("W-TIME-RANGE", "the stamp is no time of 64 bits", context.where_line(line.number));
+      continue;
+    }
+    rows.push_back(row);
   }
   return rows;
 }

@@ -135,6 +135,7 @@ bool recognizes(Bytes head) { return as_text(head).starts_with(std::string_view(
 ImuStreamResult stream(const Input& input, const ReadOptions& options, const ImuSink& sink,
                        const ImuStreamSettings& settings) {
   ReadContext context(input.name(), "IMU samples", options);
+  context.name_places(", byte ");
   Subscriptions subscriptions;
   const Walked walked = walk(input, subscriptions, [](const Subscription&, Bytes, std::uint64_t) {});
   const Source* source = source_of(subscriptions);
