@@ -1,6 +1,7 @@
 #include "vispline/io/kitti.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 
 #include "vispline/io/format_words.h"
 #include "vispline/io/text_row.h"
@@ -69,6 +70,21 @@ SensorRow pose_row(ReadContext& context, const Numbers& numbers, std::int64_t li
   return row;
 }
 
+std::size_t decimals_of(std::string_view cell) {
+  const std::size_t point = cell.find('.');
+  return point == std::string_view::npos ? 0 : cell.size() - point - 1;
+}
+
+/// A row without a line end whose last number has fewer digits after the point than those of the first rows.
+bool is_cut(const TextLine& line, const TextLayout& layout) {
+  if (line.has_end) return false;
+  std::size_t usual = SIZE_MAX;
+  for (const std::vector<std::string>& cells : layout.sample) {
+    if (cells.size() == kColumns && &cells != &layout.sample.back()) usual = std::min(usual, decimals_of(cells.back()));
+  }
+  return usual != SIZE_MAX && decimals_of(line.text.substr(line.text.find_last_of(" ,\t") + 1)) < usual;
+}
+
 /// kNoStamp beyond 64 bits.
 std::int64_t stamp_of(const StampPlan& stamps, std::int64_t index) {
   if (stamps.clock) {
@@ -108,7 +124,7 @@ std::vector<SensorRow> load(ReadContext& context, TextLines& lines, const TextLa
     ++context.counts.read;
     Numbers numbers{};
     BadRow bad;
-    if (!reader.read(line.text, numbers, bad)) {
+    if (is_cut(line, layout) || !reader.read(line.text, numbers, bad)) {
       if (line.has_end) {
         context.fail(ExitCode::kInput, bad.code, bad.message, context.where_line(line.number),
                      "mend or remove the row");
