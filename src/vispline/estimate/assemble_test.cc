@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "vispline/core/error.h"
 #include "vispline/estimate/estimate_testing.h"
 #include "vispline/estimate/priors.h"
 

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t kChunks = 4;
 constexpr std::size_t kSystems = 2;  ///< that tracks are summed in
-/// Information that the damping takes a column to have at least: one that nothing was measured of stays where it is.
-constexpr double kLeastInformation = 1e-6;
 
 struct ChunkRange {
   std::size_t begin, end;
@@ -19,11 +17,13 @@ struct ChunkRange {
       : begin(count * chunk / chunks), end(count * (chunk + 1) / chunks) {}
 };
 
-Eigen::VectorXd damping(const Skyline& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
+Eigen::VectorXd damping(const Skyline& H, double lambda) {
+  return lambda * H.diagonal().cwiseMax(NormalEquations::kLeastInformation);
+}
 
 template <int kSize>
 Eigen::Matrix<double, kSize, 1> landmark_damping(const TrackBlock& track, double lambda) {
-  return lambda * track.H.diagonal().head<kSize>().cwiseMax(kLeastInformation);
+  return lambda * track.H.diagonal().head<kSize>().cwiseMax(NormalEquations::kLeastInformation);
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ CostAt cost_at(const Problem& problem, const State& state, const Columns& column
 
 class NormalEquations {
  public:
+  /// That the damping takes a column to have at least: one that nothing was measured of stays where it is.
+  static constexpr double kLeastInformation = 1e-6;
+
   /// Linearises everything. Work is cut into chunks that do not depend on `threads`, summed in order.
   NormalEquations(const Problem& problem, const State& state, const Columns& columns, std::size_t threads);
 
