@@ -24,7 +24,7 @@ template <class Change>
 void spoil(const Program& program, const Change& change) {
   ImuSignal imu = read_imu(program.path("imu.csv")).value;
   for (std::size_t i = 0; i < imu.size(); ++i) change(imu.time[i], imu.value[i]);
-  write_imu_csv(program.path("bad.csv"), imu);
+  write_imu_csv(program.path("bad.csv"), imu, {.force = true});
 }
 
 void expect_verdict(const Program& program, const std::string& code, const std::string& word) {
@@ -65,9 +65,10 @@ TEST(CliEstimate, MotionCaptureAndImu) {
 
 TEST(CliEstimate, CornersAndImu) {
   const Program program;
-  ASSERT_EQ(program.run(kDance + "--rig phone --scene aprilgrid --out d").exit, 0);
+  ASSERT_EQ(program.run(kDance + "--rig euroc-stereo --scene aprilgrid --out d").exit, 0);
   const ProgramRun run = program.run(
-      "calibrate d --rig d/rig.yaml --target d/target.yaml --corners cam0=d/corners_cam0.csv --out out --json "
+      "calibrate d --rig d/rig.yaml --target d/target.yaml --corners cam0=d/corners_cam0.csv --corners "
+      "cam1=d/corners_cam1.csv --out out --json "
       "--knot-spacing 0.06 --truth-rig d/rig.yaml");
   ASSERT_EQ(run.exit, 0) << run.err;
   const Json result = Json::parse(run.out);

@@ -44,7 +44,7 @@ TEST(Calibrate, WithoutNoiseOnlyTheSplineIsLeft) {
   EXPECT_NEAR(camera.shutter.line_delay_s, truth.shutter.line_delay_s, 1e-9);
   EXPECT_LT((state.rig.imus[0].gyroscope.bias - data.truth.imus[0].gyroscope.bias).norm(), 1e-6);
   EXPECT_LT((state.rig.imus[0].accelerometer.bias - data.truth.imus[0].accelerometer.bias).norm(), 2e-5);
-  EXPECT_LT(estimation.solution.cost, 1e-2);
+  EXPECT_LT(estimation.solution.cost, 3e-2);
 }
 
 TEST(Calibrate, SameBytesForAnyThreads) {

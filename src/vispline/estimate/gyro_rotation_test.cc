@@ -27,9 +27,9 @@ TEST(GyroRotation, FollowsTheBody) {
   double error[2];
   for (int i = 0; i < 2; ++i) {
     const GyroRotation R_w_b(exact_imu(T_w_b, 100.0 * (i + 1)), kBias, 0.05);
-    const Matrix3d R = R_w_b(Time{} + from_seconds(4.7)) * R_w_b(Time{} + from_seconds(1.3)).transpose();
+    const Matrix3d R = R_w_b(Time{} + from_seconds(1.3)).transpose() * R_w_b(Time{} + from_seconds(4.7));
     const Matrix3d truth =
-        T_w_b.at(Time{} + from_seconds(4.7))->R_w_b * T_w_b.at(Time{} + from_seconds(1.3))->R_w_b.transpose();
+        T_w_b.at(Time{} + from_seconds(1.3))->R_w_b.transpose() * T_w_b.at(Time{} + from_seconds(4.7))->R_w_b;
     error[i] = SO3::log<double>(Matrix3d(R.transpose() * truth)).norm();
   }
   EXPECT_LT(error[0], 2e-3);
