@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "vispline/core/error.h"
+#include "vispline/core/so3.h"
 #include "vispline/estimate/estimate_testing.h"
 #include "vispline/estimate/priors.h"
 

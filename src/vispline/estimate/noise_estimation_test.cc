@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "vispline/estimate/calibration_testing.h"
+#include "vispline/estimate/solve.h"
 
 namespace vispline {
 namespace {

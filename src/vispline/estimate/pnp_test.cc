@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "vispline/core/random.h"
 #include "vispline/core/so3.h"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "vispline/core/error.h"
 #include "vispline/core/random.h"
 #include "vispline/core/so3.h"
 #include "vispline/trajectory/analytic.h"
