@@ -1,4 +1,5 @@
-// Whole solves of one reference problem: CPU seconds, cost, and how far the result is from the truth.
+// Whole solves of one reference problem: CPU seconds, cost, and how far the result is from the truth. Last a baseline
+// that does as estimators with automatic differentiation do, and how many times as long it takes.
 //   vs_ref_bench [--json]
 #include <ctime>
 
@@ -9,6 +10,7 @@
 #include "vispline/estimate/solve.h"
 #include "vispline/results/json.h"
 #include "vispline/results/trajectory_metrics.h"
+#include "vs_ref_dual.h"
 #include "vs_ref_problem.h"
 
 namespace vispline::bench {
@@ -72,6 +74,23 @@ Row run(const VsRef& data, const VsRefSetup& setup, Engine engine) {
   return row;
 }
 
+Row run_baseline(const VsRef& data) {
+  Row row{{SplineKind::kJoint, 0.1, LandmarkUnknowns::kInverseDepth}, "dual numbers"};
+  const Problem problem = vs_ref_problem(data, row.setup);
+  DualBaseline baseline(data, problem.start);
+  const double begin = cpu_s();
+  const ceres::Solver::Summary summary = baseline.solve();
+  row.cpu_s = cpu_s() - begin;
+  row.iterations = summary.num_successful_steps + summary.num_unsuccessful_steps - 1;  // it counts the start as one
+  row.unknowns = summary.num_effective_parameters;
+  row.cost = summary.final_cost;
+  row.chi2_per_dof = 2.0 * row.cost / (scalars(problem, data) - row.unknowns);
+  State state;
+  state.curve = baseline.curve();
+  compare(state, data, row);
+  return row;
+}
+
 const char* name_of(SplineKind kind) { return kind == SplineKind::kJoint ? "se3" : "split"; }
 const char* name_of(LandmarkUnknowns unknowns) {
   return unknowns == LandmarkUnknowns::kPoint ? "point" : "inverse_depth";
@@ -79,7 +98,7 @@ const char* name_of(LandmarkUnknowns unknowns) {
 
 void print(const Row& row) {
   std::printf(
-      "%-6s %-5s %-13s %5.2f s %5d unknowns %2d iterations %7.3f s CPU %6.1f ms each  cost %10.2f  "
+      "%-12s %-5s %-13s %5.2f s %5d unknowns %2d iterations %7.3f s CPU %6.1f ms each  cost %10.2f  "
       "chi2/dof %.3f  ATE %.3f mm  rotation %.3f mrad\n",
       row.engine.c_str(), name_of(row.setup.kind), name_of(row.setup.unknowns), row.setup.spacing_s, row.unknowns,
       row.iterations, row.cpu_s, 1e3 * row.cpu_s / row.iterations, row.cost, row.chi2_per_dof, row.ate_mm,
@@ -112,19 +131,28 @@ int main(int argc, char** argv) {
   using namespace vispline::bench;
   const bool as_json = argc > 1 && std::strcmp(argv[1], "--json") == 0;
   const VsRef data = VsRefSimulation(10.0).take();
-  std::vector<JsonObject> rows;
+  std::vector<Row> rows;
   for (const Engine engine : {Engine::kOwn, Engine::kCeres}) {
     for (const double spacing_s : {0.1, 0.05}) {
       for (const SplineKind kind : {SplineKind::kJoint, SplineKind::kSplit}) {
         for (const LandmarkUnknowns unknowns : {LandmarkUnknowns::kInverseDepth, LandmarkUnknowns::kPoint}) {
-          const Row row = run(data, {kind, spacing_s, unknowns}, engine);
-          if (!as_json) print(row);
-          rows.push_back(to_json(row));
+          rows.push_back(run(data, {kind, spacing_s, unknowns}, engine));
+          if (!as_json) print(rows.back());
         }
       }
     }
   }
+  rows.push_back(run_baseline(data));
+  if (!as_json) print(rows.back());
+  const double baseline_cpu_s = rows.back().cpu_s, ratio = baseline_cpu_s / rows.front().cpu_s;
+  if (!as_json) std::printf("the baseline takes %.1f times as long as the first row\n", ratio);
+  std::vector<JsonObject> documents;
+  for (const Row& row : rows) documents.push_back(to_json(row));
   JsonObject document;
-  document.set("schema", "vispline.bench_vs_ref/1").set("rows", rows);
+  document.set("schema", "vispline.bench_vs_ref/1")
+      .set("cpu_s", rows.front().cpu_s)
+      .set("baseline_cpu_s", baseline_cpu_s)
+      .set("ratio", ratio)
+      .set("rows", documents);
   if (as_json) std::fputs(document.text().c_str(), stdout);
 }

@@ -2,6 +2,7 @@
 #include "vispline/estimate/calibrate.h"
 
 #include <memory>
+#include <optional>
 
 #include "estimation_output.h"
 #include "result_folder.h"
@@ -54,10 +55,9 @@ void run(CalibrateFlags& flags) {
   options.huber_sigmas = flags.huber;
   options.trust_noise = flags.noise == "rig";
   options.solve = flags.solve_options();
-  const Estimation estimation = [&] {
-    const OutputGuard interrupts_end_the_iterations;
-    return calibrate(start.rig, recording, target, options);
-  }();
+  std::optional<OutputGuard> interrupts_end_the_iterations(std::in_place);
+  const Estimation estimation = calibrate(start.rig, recording, target, options);
+  if (!flags.interrupted()) interrupts_end_the_iterations.reset();
   finish_estimation(flags, estimation, start, flags.spacing == "auto" ? spacing.why : "as asked for");
 }
 

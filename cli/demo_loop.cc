@@ -111,7 +111,6 @@ DemoLoop run_loop(std::uint64_t seed, std::size_t threads) {
   for (const Stage& stage : estimation.stages) {
     loop.calibration.stages.push_back({stage.name, stage.value, stage.limit, stage.unit, stage.passed, stage.measure});
   }
-  loop.calibration.cpu_s = estimation.cpu_s;
   loop.calibration.knots = {to_seconds(solution.state.curve->spacing()), solution.state.curve->order(), "se3",
                             choose_knot_spacing(samples).why};
   const TimeSpan span = solution.state.curve->span();

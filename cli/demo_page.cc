@@ -127,11 +127,14 @@ report::Page demo_page(const DemoResult& demo, const DemoLoop& loop, const repor
   }
   cards.cards.push_back(
       {demo.noisy.back().error_m.back(), "m", "final error of " + demo.noisy.back().method + " with noise"});
-  page.sections.push_back({"In short", {cards}});
   for (report::Section& section : calibration_sections(loop.calibration, loop.course)) {
     page.sections.push_back(std::move(section));
   }
-  for (report::Section& section : allan_sections(loop.noise)) page.sections.push_back(std::move(section));
+  for (report::Section& section : allan_sections(loop.noise)) {
+    section.heading = "At rest: " + section.heading;
+    page.sections.push_back(std::move(section));
+  }
+  page.sections.push_back({"Dead reckoning in short", {cards}});
   page.sections.push_back(motion_section(demo));
   page.sections.push_back(imu_section(demo));
   page.sections.push_back(noise_section(demo));

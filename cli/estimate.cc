@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "estimation_output.h"
 #include "result_folder.h"
@@ -82,11 +83,10 @@ void run(EstimateFlags& flags) {
   } else {
     read_tracks_of(flags, start.rig, recording);
   }
-  const Estimation estimation = [&] {
-    const OutputGuard interrupts_end_the_iterations;
-    return poses.empty() ? from_tracks(flags, start, recording, spacing.spacing_s)
-                         : from_poses(flags, start, recording, poses, spacing.spacing_s);
-  }();
+  std::optional<OutputGuard> interrupts_end_the_iterations(std::in_place);
+  const Estimation estimation = poses.empty() ? from_tracks(flags, start, recording, spacing.spacing_s)
+                                              : from_poses(flags, start, recording, poses, spacing.spacing_s);
+  if (!flags.interrupted()) interrupts_end_the_iterations.reset();
   finish_estimation(flags, estimation, start, flags.spacing == "auto" ? spacing.why : "as asked for");
 }
 

@@ -46,7 +46,7 @@ void add_stages(const Estimation& estimation, CalibrationResult& result) {
 void compare(EstimationFlags& flags, const Signal<Pose>& poses, CalibrationResult& result,
              report::CalibrationCourse& course) {
   course.T_w_b = poses;
-  if (flags.truth.empty()) return;
+  if (flags.truth.empty() || flags.interrupted()) return;
   auto truth = read_trajectory(flags.truth, flags.read.options(1, flags.session));
   flags.session.add_input("truth", truth.counts, truth.diagnostics);
   result.trajectory = compare_trajectories(poses, truth.value);

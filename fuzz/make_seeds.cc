@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "signal_seeds.h"
-#include "vispline/bags/bag_writer.h"
+#include "vispline/io/write_bag.h"
 
 namespace {
 
@@ -28,6 +28,22 @@ void bag(Container container, Codec codec, Wire wire, const std::string& path) {
   writer->publish();
 }
 
+/// IMU samples on two topics and a trajectory.
+void samples(Container container, const std::string& path) {
+  ImuSignal imu;
+  Signal<Pose> poses;
+  for (int i = 0; i < 12; ++i) {
+    const Time time = time_from_ns(1'600'000'000'000'000'001 + 5'000'000LL * i);
+    imu.push_back(time, {Vector3d(0.1, 0.2, 0.03 * i), Vector3d(0.5, 0.01 * i, 9.7)});
+    poses.push_back(time, {Matrix3d::Identity(), Vector3d(0.1 * i, 0.0, 1.0)});
+  }
+  SignalBagWriter writer(container, path, {.chunk_bytes = 1500, .force = true});
+  writer.write_imu("/imu", imu.time, imu.value);
+  writer.write_imu("/accel", imu.time, imu.value);
+  writer.write_poses("/pose", poses);
+  writer.publish();
+}
+
 void put(const std::string& path, const std::string& bytes) {
   std::filesystem::create_directories(std::filesystem::path(path).parent_path());
   std::ofstream(path, std::ios::binary) << bytes;
@@ -44,6 +60,8 @@ int main(int argc, char** argv) {
   for (const Codec codec : {Codec::kNone, Codec::kLz4, Codec::kZstd}) {
     bag(Container::kMcap, codec, Wire::kCdr, root + "mcap/" + std::string(name_of(codec)));
   }
+  samples(Container::kRosbag, root + "samples/rosbag");
+  samples(Container::kMcap, root + "samples/mcap");
   bag(Container::kRosbag2, Codec::kNone, Wire::kCdr, root + "rosbag2");
   std::filesystem::create_directories(root + "db3");
   std::filesystem::rename(root + "rosbag2/rosbag2_0.db3", root + "db3/seed");

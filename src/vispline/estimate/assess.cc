@@ -19,6 +19,7 @@ constexpr double kMostCondition = 1e12;
 constexpr double kMostLost = 0.01;
 constexpr double kLeastDof = 10.0;
 constexpr double kMostCorrelated = 0.1;
+constexpr double kMostDrifting = 0.5;  // of consecutive residuals that are also larger than the rig says
 constexpr double kLeastCurvature = 0.8, kMostCurvature = 1.25;
 
 std::string text(double value) { return number_text(value, 3); }
@@ -79,6 +80,12 @@ class Judge {
       if (r.dof >= kLeastDof && (normalised < kLeastNormalised || normalised > kMostNormalised)) {
         result_.reasons.push_back(r.sensor + ": residuals are " + text(normalised) +
                                   " times as large as their sigma of " + text(r.sigma) + " " + r.unit + " says");
+      }
+      const double louder = r.rig_sigma > 0.0 ? r.sigma / r.rig_sigma : 0.0;
+      if (louder > kMostNormalised && r.lag1 > kMostDrifting) {
+        result_.reasons.push_back(r.sensor + ": residuals are " + text(louder) +
+                                  " times what the rig says and no noise: consecutive ones are correlated by " +
+                                  text(r.lag1));
       }
       const auto readings = static_cast<double>(r.time_s.size()) + static_cast<double>(r.lost);
       if (static_cast<double>(r.lost) > kMostLost * readings) {

@@ -6,12 +6,14 @@
 #include "vispline/core/parallel.h"
 #include "vispline/estimate/noise_estimation.h"
 #include "vispline/estimate/pnp.h"
+#include "vispline/estimate/rolling_poses.h"
 #include "vispline/results/imu_comparison.h"
 
 namespace vispline {
 namespace {
 
-constexpr double kMostPnp_px = 3.0;  // rms of a camera's poses with the start lens
+constexpr double kMostPnp_px = 3.0;       // rms of a camera's poses with the start lens
+constexpr double kMostRolling_px = 12.0;  // the same of a rolling shutter, whose place moves while it is read
 constexpr std::size_t kFewestFrames = 20;
 constexpr double kMargin_s = 0.03;         // of the curve beyond the readings: time offsets move them
 constexpr std::size_t kQuickFrames = 150;  // images that are enough for the first stages
@@ -103,10 +105,18 @@ class Calibrator {
       Camera& camera = rig_.cameras[c];
       const FeatureSignal* features = features_of(camera);
       if (features == nullptr) continue;
-      const CameraPoses poses = poses_of(camera, *features, target_, options_.solve.threads);
+      CameraPoses poses = poses_of(camera, *features, target_, options_.solve.threads);
+      double limit_px = kMostPnp_px;
+      if (camera.shutter.line_delay_s != 0.0) {
+        const auto rolling = rolling_poses(camera, *features, target_, poses.T_t_c, reference_imu());
+        if (rolling && rolling->T_t_c.size() >= kFewestFrames) {
+          poses = {rolling->T_t_c, rolling->rms_px};
+          limit_px = kMostRolling_px;
+        }
+      }
       const bool enough = poses.T_t_c.size() >= kFewestFrames;
-      stage("poses of " + camera.name, "rms of reprojection", poses.rms_px, kMostPnp_px, "px",
-            enough && poses.rms_px < kMostPnp_px);
+      stage("poses of " + camera.name, "rms of reprojection", poses.rms_px, limit_px, "px",
+            enough && poses.rms_px < limit_px);
       if (!enough) continue;
       PoseAlignment alignment = align_poses(poses.T_t_c, reference_imu(), result_.diagnostics);
       stage("clock of " + camera.name, "correlation of |angular rate| with the IMU", alignment.correlation, 0.5, "1",

@@ -45,7 +45,7 @@ GradientCheck check_gradient(const Problem& problem, const Solution& solution, c
     };
     const double after = cost(kStepSigmas), before = cost(-kStepSigmas);
     const double slope = (after - before) / (2.0 * kStepSigmas);
-    const double curvature = (after - 2.0 * solution.cost + before) / (kStepSigmas * kStepSigmas);
+    const double curvature = (after - 2.0 * equations.cost() + before) / (kStepSigmas * kStepSigmas);
     check.farthest_sigmas = std::max(check.farthest_sigmas, std::abs(slope));
     check.curvature_low = first ? curvature : std::min(check.curvature_low, curvature);
     check.curvature_high = first ? curvature : std::max(check.curvature_high, curvature);

@@ -17,12 +17,16 @@ constexpr double kTopShare = 0.2;      // of the band, at its upper end, that is
 constexpr double kSurelyMotion = 3.0;  // noise powers: what a bin of noise alone hardly reaches
 constexpr double kFewestSamples = 64;
 
-/// What a spline of degree L - 1 leaves of a sinusoid, relative to it: sqrt(|B_2L| / (2L)!) (2 pi f spacing)^L, no more
-/// than all of it. Blu and Unser, IEEE Trans. Signal Processing 47(10), 1999; B_n are Bernoulli's numbers.
+/// What a least-squares spline of degree L - 1 leaves of a sinusoid, relative to it, on average over its phase.
+///   e^2 = S / (f^-2L + S),  S = sum over k != 0 of (f + k)^-2L,  f in cycles a knot      docs/math/estimate.md (7)
 double left_over(double frequency_hz, double spacing_s, int L) {
-  constexpr std::array kFactor{0.0373, 0.00575, 9.09e-4, 1.445e-4};  // L = 2, 3, 4, 5
-  const double x = 2.0 * std::numbers::pi * frequency_hz * spacing_s;
-  return std::min(1.0, kFactor[static_cast<std::size_t>(L - 2)] * std::pow(x, L));
+  constexpr int kTerms = 8;
+  const double f = frequency_hz * spacing_s;
+  if (f >= 1.0) return 1.0;
+  if (f <= 0.0) return 0.0;
+  double sum = 0.0;
+  for (int k = 1; k <= kTerms; ++k) sum += std::pow(k + f, -2 * L) + std::pow(k - f, -2 * L);
+  return std::sqrt(sum / (std::pow(f, -2 * L) + sum));
 }
 
 /// Mean power of three axes, one-sided: the sum over bins is the variance of one axis.

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t kChunks = 4;
 constexpr std::size_t kSystems = 2;  ///< that tracks are summed in
-/// Information that the damping takes a column to have at least: one that nothing was measured of stays where it is.
-constexpr double kLeastInformation = 1e-6;
 
 struct ChunkRange {
   std::size_t begin, end;
@@ -19,9 +17,14 @@ struct ChunkRange {
       : begin(count * chunk / chunks), end(count * (chunk + 1) / chunks) {}
 };
 
-Eigen::VectorXd damping(const Skyline& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
+Eigen::VectorXd damping(const Skyline& H, double lambda) {
+  return lambda * H.diagonal().cwiseMax(NormalEquations::kLeastInformation);
+}
 
-Vector3d damping(const Eigen::Matrix3d& H, double lambda) { return lambda * H.diagonal().cwiseMax(kLeastInformation); }
+template <int kSize>
+Eigen::Matrix<double, kSize, 1> landmark_damping(const TrackBlock& track, double lambda) {
+  return lambda * track.H.diagonal().head<kSize>().cwiseMax(NormalEquations::kLeastInformation);
+}
 
 }  // namespace
 
@@ -108,7 +111,7 @@ bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const TrackBlock& track = tracks_[t];
     Square H_l = track.H.topLeftCorner<kSize, kSize>();
-    H_l.diagonal() += damping(track.H, lambda).head<kSize>();
+    H_l.diagonal() += landmark_damping<kSize>(track, lambda);
     const Eigen::LLT<Square> cholesky(H_l);
     if (cholesky.info() != Eigen::Success) return false;
     const Square L_inverse = cholesky.matrixL().solve(Square::Identity());
@@ -124,61 +127,50 @@ bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
   return true;
 }
 
-NormalEquations::Reduced NormalEquations::reduce(double lambda, double floor) const {
+NormalEquations::Reduced NormalEquations::reduce(double lambda) const {
   Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
-  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda).cwiseMax(lambda * floor));
+  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda));
   const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
   reduced.positive = (point ? eliminate<3>(lambda, reduced) : eliminate<1>(lambda, reduced)) && reduced.H.factor();
   return reduced;
 }
 
 template <int kSize>
-void NormalEquations::substitute(const Reduced& reduced, const Eigen::VectorXd& delta, bool gradient,
-                                 std::vector<Vector3d>& landmarks) const {
+double NormalEquations::substitute_of(double lambda, const Reduced& reduced, bool gradient, Step& step) const {
   using Vector = Eigen::Matrix<double, kSize, 1>;
+  double sum = 0.0;
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const TrackBlock& track = tracks_[t];
-    Vector rhs = gradient ? Vector(-track.g.head<kSize>()) : Vector(Vector::Zero());
+    Vector rhs = Vector::Zero();
+    if (gradient) rhs = -track.g.head<kSize>();
     for (std::size_t i = 0; i < track.column.size(); ++i) {
-      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * delta(track.column[i]);
+      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * step.delta(track.column[i]);
     }
     const Eigen::Matrix<double, kSize, kSize> L_inverse = reduced.L_inverse[t].topLeftCorner<kSize, kSize>();
-    landmarks[t].head<kSize>() = L_inverse.transpose() * (L_inverse * rhs);
-  }
-}
-
-std::vector<Vector3d> NormalEquations::landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta,
-                                                    bool gradient) const {
-  std::vector<Vector3d> landmarks(tracks_.size(), Vector3d::Zero());
-  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
-  point ? substitute<3>(reduced, delta, gradient, landmarks) : substitute<1>(reduced, delta, gradient, landmarks);
-  return landmarks;
-}
-
-void NormalEquations::carry(const Eigen::VectorXd& delta, std::vector<Vector3d>& landmarks) const {
-  for (std::size_t t = 0; t < tracks_.size(); ++t) {
-    for (std::size_t i = 0; i < tracks_[t].carried.size(); ++i) {
-      landmarks[t] -= tracks_[t].carry.col(static_cast<Eigen::Index>(i)) * delta(tracks_[t].carried[i]);
+    Vector delta = L_inverse.transpose() * (L_inverse * rhs);
+    sum += delta.dot(landmark_damping<kSize>(track, lambda).cwiseProduct(delta) - track.g.head<kSize>());
+    for (std::size_t i = 0; i < track.carried.size(); ++i) {
+      delta -= track.carry.col(static_cast<Eigen::Index>(i)) * step.delta(track.carried[i]);
     }
+    step.delta_landmark[t].head<kSize>() = delta;
   }
+  return sum;
+}
+
+double NormalEquations::substitute(double lambda, const Reduced& reduced, bool gradient, Step& step) const {
+  step.delta_landmark.assign(tracks_.size(), Vector3d::Zero());
+  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  return point ? substitute_of<3>(lambda, reduced, gradient, step) : substitute_of<1>(lambda, reduced, gradient, step);
 }
 
 std::optional<Step> NormalEquations::step(double lambda) const {
   const Reduced reduced = reduce(lambda);
   if (!reduced.positive) return std::nullopt;
-  const int n = problem_.track_model.size();
   Step step;
   step.delta = reduced.H.solve(-reduced.g);
   if (!step.delta.allFinite()) return std::nullopt;
-  double sum = step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_);
-  step.delta_landmark = landmarks_of(reduced, step.delta, true);
-  for (std::size_t t = 0; t < tracks_.size(); ++t) {
-    const Vector3d& delta = step.delta_landmark[t];
-    const Vector3d damped = damping(tracks_[t].H, lambda).cwiseProduct(delta) - tracks_[t].g;
-    sum += delta.head(n).dot(damped.head(n));
-  }
-  step.predicted = 0.5 * sum;
-  carry(step.delta, step.delta_landmark);
+  const double landmarks = substitute(lambda, reduced, true, step);
+  step.predicted = 0.5 * (step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_) + landmarks);
   return step;
 }
 
@@ -197,8 +189,7 @@ std::vector<Step> NormalEquations::respond(const Eigen::MatrixXd& push) const {
   for (Eigen::Index i = 0; i < push.cols(); ++i) {
     Step& step = steps.emplace_back();
     step.delta = reduced.H.solve(push.col(i));
-    step.delta_landmark = landmarks_of(reduced, step.delta, false);
-    carry(step.delta, step.delta_landmark);
+    substitute(0.0, reduced, false, step);
   }
   return steps;
 }
@@ -215,8 +206,7 @@ std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
 }
 
 std::optional<Eigen::MatrixXd> NormalEquations::damped_covariance(int n, double lambda) const {
-  constexpr double kLeastInformation = 1e-12;
-  const Reduced reduced = reduce(lambda, kLeastInformation);
+  const Reduced reduced = reduce(lambda);
   if (!reduced.positive) return std::nullopt;
   Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
   if (!covariance.allFinite()) return std::nullopt;

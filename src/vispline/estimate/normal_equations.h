@@ -24,6 +24,9 @@ CostAt cost_at(const Problem& problem, const State& state, const Columns& column
 
 class NormalEquations {
  public:
+  /// That the damping takes a column to have at least: one that nothing was measured of stays where it is.
+  static constexpr double kLeastInformation = 1e-6;
+
   /// Linearises everything. Work is cut into chunks that do not depend on `threads`, summed in order.
   NormalEquations(const Problem& problem, const State& state, const Columns& columns, std::size_t threads);
 
@@ -52,17 +55,15 @@ class NormalEquations {
     std::vector<Eigen::Matrix3d> L_inverse;  ///< of each track
     bool positive = false;
   };
-  Reduced reduce(double lambda, double floor = 0.0) const;
+  Reduced reduce(double lambda) const;
   /// Takes the landmarks of kSize unknowns out of the system; false if they have no unique solution.
   template <int kSize>
   bool eliminate(double lambda, Reduced& reduced) const;
-  /// Where the landmarks move once all else is known, in the sense of TrackBlock.
-  std::vector<Vector3d> landmarks_of(const Reduced& reduced, const Eigen::VectorXd& delta, bool gradient) const;
+  /// Landmarks after all else is known, with or without their own gradient; returns their share of twice the predicted
+  /// decrease.
+  double substitute(double lambda, const Reduced& reduced, bool gradient, Step& step) const;
   template <int kSize>
-  void substitute(const Reduced& reduced, const Eigen::VectorXd& delta, bool gradient,
-                  std::vector<Vector3d>& landmarks) const;
-  /// From there to the landmarks' own perturbations.
-  void carry(const Eigen::VectorXd& delta, std::vector<Vector3d>& landmarks) const;
+  double substitute_of(double lambda, const Reduced& reduced, bool gradient, Step& step) const;
 
   const Problem& problem_;
   Skyline H_;

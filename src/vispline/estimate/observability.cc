@@ -116,7 +116,7 @@ std::vector<WeakDirection> null_directions(const Solution& solution, const Norma
     const auto covariance = equations.damped_covariance(n, lambda);
     if (!covariance) continue;
     const std::vector<Component> components = components_of(solution);
-    const Eigen::VectorXd root = equations.diagonal().tail(n).cwiseMax(1e-12).cwiseSqrt();
+    const Eigen::VectorXd root = equations.diagonal().tail(n).cwiseMax(NormalEquations::kLeastInformation).cwiseSqrt();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.asDiagonal() * *covariance * root.asDiagonal());
     Eigen::Index count = 0;
     while (count < n && eigen.eigenvalues()(n - 1 - count) > kShare / lambda) ++count;

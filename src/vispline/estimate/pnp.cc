@@ -120,6 +120,28 @@ double refine(const Camera& camera, const std::vector<Vector2d>& px, const std::
   return inliers > 0 ? std::sqrt(sum / (2.0 * inliers)) : 0.0;
 }
 
+/// A plane seen from far looks nearly the same when it leans the other way: its normal mirrored at the line of sight.
+Pose mirrored(const Pose& T_c_t, const Frame& frame) {
+  const Vector3d centre_c = T_c_t * frame.T_t_f.p, sight_c = centre_c.normalized();
+  const Vector3d normal_c = T_c_t.R * frame.T_t_f.R.col(2);
+  const Vector3d turn = 2.0 * std::asin(std::min(1.0, normal_c.cross(sight_c).norm())) *
+                        normal_c.cross(sight_c).normalized() * (normal_c.dot(sight_c) < 0.0 ? -1.0 : 1.0);
+  const Matrix3d R = SO3::exp<double>(turn);
+  return {R * T_c_t.R, centre_c - R * T_c_t.R * frame.T_t_f.p};
+}
+
+PnpResult refined(const Camera& camera, const std::vector<Vector2d>& px, const std::vector<Vector3d>& point_t,
+                  Pose T_c_t) {
+  PnpResult result;
+  for (int i = 0; i < kRefinements; ++i) result.rms_px = refine(camera, px, point_t, T_c_t, result.inliers);
+  result.T_t_c = T_c_t.inverse();
+  return result;
+}
+
+bool is_better(const PnpResult& a, const PnpResult& b) {
+  return a.inliers != b.inliers ? a.inliers > b.inliers : a.rms_px < b.rms_px;
+}
+
 }  // namespace
 
 std::optional<PnpResult> camera_pose(const Camera& camera, const std::vector<Vector2d>& px,
@@ -132,12 +154,15 @@ std::optional<PnpResult> camera_pose(const Camera& camera, const std::vector<Vec
     rays.point_t.push_back(point_t[i]);
   }
   if (rays.point_t.size() < 4) return std::nullopt;
-  auto T_c_t = linear_pose(rays);
+  const auto T_c_t = linear_pose(rays);
   if (!T_c_t) return std::nullopt;
-  PnpResult result;
-  for (int i = 0; i < kRefinements; ++i) result.rms_px = refine(camera, px, point_t, *T_c_t, result.inliers);
-  if (2 * static_cast<std::size_t>(result.inliers) < px.size() || !T_c_t->p.allFinite()) return std::nullopt;
-  result.T_t_c = T_c_t->inverse();
+  PnpResult result = refined(camera, px, point_t, *T_c_t);
+  const Frame frame(rays.point_t);
+  if (frame.flat && result.T_t_c.p.allFinite()) {
+    const PnpResult other = refined(camera, px, point_t, mirrored(result.T_t_c.inverse(), frame));
+    if (other.T_t_c.p.allFinite() && is_better(other, result)) result = other;
+  }
+  if (2 * static_cast<std::size_t>(result.inliers) < px.size() || !result.T_t_c.p.allFinite()) return std::nullopt;
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vispline/estimate/accelerometer_axes.h"
 #include "vispline/results/imu_comparison.h"
 
 namespace vispline {
@@ -11,6 +12,8 @@ namespace {
 constexpr double kStandardGravity = 9.80665;  // m/s^2
 constexpr double kLeastCorrelation = 0.5;     // of |angular rate|
 constexpr double kMostResidual = 0.6;         // of the rate's own standard deviation: above it axes disagree
+constexpr double kSameMotion = 0.85;          // correlation of the sizes of rates of one motion, at least
+constexpr std::size_t kForces = 2000;         // readings that are enough to tell the axes
 constexpr double kLeastRate = 0.05;           // rad/s, standard deviation: below it there is no motion to align
 constexpr double kPositionSigma_m = 2e-3, kRotationSigma_rad = 2e-3;  // of poses, roughly
 constexpr Duration kLeastSpacing = std::chrono::milliseconds(20);
@@ -73,9 +76,10 @@ void check_units(const ImuSignal& measured, const ImuSignal& expected) {
   }
 }
 
-void check_excitation(const ImuSignal& measured, const ImuComparison& compared) {
-  if (spread(measured) < kLeastRate) {
-    unfit("E-EXCITATION", "the angular rate varies by " + text(spread(measured)) + " rad/s only",
+void check_excitation(const ImuSignal& measured, const ImuSignal& expected, const ImuComparison& compared) {
+  if (std::min(spread(measured), spread(expected)) < kLeastRate) {
+    unfit("E-EXCITATION",
+          "the angular rate varies by " + text(std::min(spread(measured), spread(expected))) + " rad/s only",
           "record a motion that turns about all three axes");
   }
   if (!compared.aligned || compared.offset_correlation < kLeastCorrelation) {
@@ -97,6 +101,47 @@ double residual(const ImuComparison& compared) {
   return std::sqrt(sum);
 }
 
+/// Rates that agree in size but not in direction belong to other axes; those that hardly agree in size to another
+/// motion.
+void check_directions(const ImuSignal& imu, const PoseAlignment& alignment) {
+  if (alignment.gyro_residual <= kMostResidual * spread(imu)) return;
+  const std::string left = text(alignment.gyro_residual) + " rad/s of " + text(spread(imu)) + " rad/s remain";
+  if (alignment.correlation < kSameMotion) {
+    unfit("E-CLOCK",
+          "the angular rates of poses and IMU agree at no offset in time: " + left +
+              " at the best one, where their sizes correlate by " + text(alignment.correlation),
+          "check that both stamps come from one clock and that the recordings belong together");
+  }
+  unfit("E-AXES", "the angular rates of poses and gyroscope agree in size but not in direction: " + left,
+        "check the order and the signs of the axes of the gyroscope");
+}
+
+/// Finds gravity on the way.
+void check_accelerometer(const ImuSignal& imu, PoseAlignment& alignment) {
+  const std::size_t stride = std::max<std::size_t>(1, imu.size() / kForces);
+  std::vector<FeltForce> felt;
+  for (std::size_t i = 0; i < imu.size(); i += stride) {
+    const Time t = imu.time[i] - from_seconds(alignment.time_offset_s);
+    if (!alignment.motion.curve->span().contains(t) || alignment.motion.in_gap(t)) continue;
+    const BodyState state = alignment.motion.curve->state({t});
+    felt.push_back({state.R_w_b * alignment.R_b_s.transpose(), state.a_w, imu.value[i].accel});
+  }
+  const AxesChoice choice = accelerometer_axes(felt);
+  alignment.g_w = choice.g_w;
+  if (!choice.axes.isIdentity()) {
+    unfit("E-AXES",
+          "the accelerometer does not turn with the gyroscope: its readings x, y, z look like those along " +
+              choice.words,
+          "check the order and the signs of the axes of the accelerometer");
+  }
+  if (std::abs(alignment.g_w.norm() - kStandardGravity) > 0.3 * kStandardGravity) {
+    unfit("E-AXES",
+          "gravity comes out as " + text(alignment.g_w.norm()) +
+              " m/s^2: the accelerometer does not turn with the gyroscope",
+          "check the order and the signs of the axes of the accelerometer");
+  }
+}
+
 }  // namespace
 
 PoseAlignment align_poses(const Signal<Pose>& T_w_s, const ImuSignal& imu, Diagnostics& diagnostics) {
@@ -106,7 +151,7 @@ PoseAlignment align_poses(const Signal<Pose>& T_w_s, const ImuSignal& imu, Diagn
   const ImuSignal expected = virtual_imu(alignment.motion, rate_hz);
   check_units(imu, expected);
   const ImuComparison compared = compare_imu(expected, imu);
-  check_excitation(imu, compared);
+  check_excitation(imu, expected, compared);
   diagnostics.merge(compared.diagnostics);
   alignment.time_offset_s = compared.time_offset_s;
   alignment.correlation = compared.offset_correlation;
@@ -115,28 +160,8 @@ PoseAlignment align_poses(const Signal<Pose>& T_w_s, const ImuSignal& imu, Diagn
   for (int axis = 0; axis < 3; ++axis)
     alignment.gyro_bias(axis) = compared.gyroscope[static_cast<std::size_t>(axis)].mean;
   alignment.gyro_residual = residual(compared);
-  if (alignment.gyro_residual > kMostResidual * spread(imu)) {
-    unfit("E-AXES",
-          "the angular rates agree in size but not in direction: " + text(alignment.gyro_residual) + " rad/s of " +
-              text(spread(imu)) + " rad/s remain",
-          "check the order and the signs of the axes of the gyroscope");
-  }
-  Vector3d sum = Vector3d::Zero();
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < imu.size(); ++i) {
-    const Time t = imu.time[i] - from_seconds(alignment.time_offset_s);
-    if (!alignment.motion.curve->span().contains(t) || alignment.motion.in_gap(t)) continue;
-    const BodyState state = alignment.motion.curve->state({t});
-    sum += state.a_w - state.R_w_b * alignment.R_b_s.transpose() * imu.value[i].accel;
-    ++count;
-  }
-  alignment.g_w = sum / static_cast<double>(std::max<std::size_t>(count, 1));
-  if (std::abs(alignment.g_w.norm() - kStandardGravity) > 0.3 * kStandardGravity) {
-    unfit("E-AXES",
-          "gravity comes out as " + text(alignment.g_w.norm()) +
-              " m/s^2: the accelerometer does not turn with the gyroscope",
-          "check the order and the signs of the axes of the accelerometer");
-  }
+  check_directions(imu, alignment);
+  check_accelerometer(imu, alignment);
   return alignment;
 }
 

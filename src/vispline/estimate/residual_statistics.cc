@@ -152,6 +152,8 @@ std::vector<SensorResiduals> residual_statistics(const Problem& problem, const S
     const auto at = absorbed.find(name);
     all.push_back(
         statistics(name, collector[name], at == absorbed.end() ? 0.0 : at->second, solution.state.curve->span().begin));
+    const auto told = rig_sigma.find(name);
+    if (told != rig_sigma.end()) all.back().rig_sigma = told->second;
   }
   return all;
 }

@@ -18,6 +18,8 @@ namespace {
 constexpr double kMargin_s = 0.05;
 constexpr std::size_t kFewestTracks = 10, kFewestSightings = 3;
 constexpr double kLeastCorrelation = 0.5;
+constexpr double kUsualOffset_s = 0.3;  // of camera clocks against that of the IMU
+constexpr double kSameOffset_s = 0.02;
 constexpr int kNoiseRounds = 2;
 constexpr double kMostBearing_rad = 0.03;
 constexpr double kLeastInverse = 1e-3, kMostInverse = 10.0;  // 1/m
@@ -34,8 +36,7 @@ class TrackEstimator {
   Estimation run() {
     timed("start", [this] {
       span();
-      clocks();
-      structure();
+      find_start();
     });
     timed("solve", [this] { solve_stages(); });
     return std::move(result_);
@@ -76,17 +77,57 @@ class TrackEstimator {
     }
   }
 
-  /// Clock and rotation of every camera, and the bias of the gyroscope, from how the cameras turn.
-  void clocks() {
+  /// A motion that nearly repeats has more than one offset that correlates well, and near points hide how a camera
+  /// turns: the best offset of all and the best of the usual ones are both followed until their costs tell.
+  void find_start() {
+    for (const Imu& imu : state_.rig.imus) imu_sigma_.push_back(sigma_of(imu));
+    for (const Camera& camera : state_.rig.cameras) sigma_px_.push_back(camera.pixel_sigma_px);
+    const State begin = state_;
+    std::optional<Start> best;
+    for (const std::optional<double> most_s : {std::optional<double>(), std::optional(kUsualOffset_s)}) {
+      state_ = begin;
+      stages_.clear();
+      clocks(most_s);
+      if (best && same_clocks(best->clocks)) continue;
+      const std::vector<double> clocks = clocks_of(state_.rig);
+      if (!structure()) continue;
+      const double cost = first_stages();
+      if (!best || cost < best->cost) best = Start{cost, clocks, std::move(state_), tracks_, stages_};
+    }
+    if (!best) {
+      throw Error(ExitCode::kUnfit, {"E-EXCITATION", "the tracks do not determine where the body moves", "",
+                                     "nothing estimated", "record with more translation"});
+    }
+    state_ = std::move(best->state);
+    tracks_ = std::move(best->tracks);
+    result_.stages = std::move(best->stages);
+  }
+
+  static std::vector<double> clocks_of(const Rig& rig) {
+    std::vector<double> offsets;
+    for (const Camera& camera : rig.cameras) offsets.push_back(camera.time_offset_s);
+    return offsets;
+  }
+
+  bool same_clocks(const std::vector<double>& offsets) const {
+    for (std::size_t c = 0; c < offsets.size(); ++c) {
+      if (std::abs(offsets[c] - state_.rig.cameras[c].time_offset_s) > kSameOffset_s) return false;
+    }
+    return true;
+  }
+
+  /// Clock and rotation of every camera, and the bias of the gyroscope, from how the cameras turn. `most_s`: the
+  /// largest offset to look for.
+  void clocks(std::optional<double> most_s) {
     for (std::size_t c = 0; c < state_.rig.cameras.size(); ++c) {
       if (!features(c) || options_.trust_clocks) continue;
       Camera& camera = state_.rig.cameras[c];
       const ImuSignal rates = turning_rate(camera, *features(c));
       if (rates.size() < 20) continue;
-      const ImuComparison compared = compare_imu(rates, imu(0));
+      const ImuComparison compared = compare_imu(rates, imu(0), {most_s});
       const bool found = compared.aligned && compared.offset_correlation > kLeastCorrelation;
-      result_.stages.push_back({"clock of " + camera.name, "correlation of |angular rate| with the IMU",
-                                compared.offset_correlation, kLeastCorrelation, "1", found});
+      stages_.push_back({"clock of " + camera.name, "correlation of |angular rate| with the IMU",
+                         compared.offset_correlation, kLeastCorrelation, "1", found});
       if (!found) continue;
       camera.time_offset_s = compared.time_offset_s;
       camera.T_c_b.R = compared.R_second_first.transpose();
@@ -103,7 +144,8 @@ class TrackEstimator {
     }
   }
 
-  void structure() {
+  /// False if the tracks do not determine where the body moves.
+  bool structure() {
     const GyroRotation R_w_b(imu(0), state_.rig.imus[0].gyroscope.bias);
     tracks_ = tracks_of(state_.rig, recording_, used_, kFewestSightings);
     if (tracks_.size() < kFewestTracks) {
@@ -119,17 +161,14 @@ class TrackEstimator {
     input.gravity = options_.gravity;
     input.span = used_;
     const auto start = start_from_tracks(input);
-    const bool found = start && start->bearing_rms < kMostBearing_rad;
-    result_.stages.push_back({"linear structure and motion", "rms of bearings", start ? start->bearing_rms : 0.0,
-                              kMostBearing_rad, "rad", found});
-    if (!start) {
-      throw Error(ExitCode::kUnfit, {"E-EXCITATION", "the tracks do not determine where the body moves", "",
-                                     "nothing estimated", "record with more translation"});
-    }
+    if (!start) return false;
+    stages_.push_back({"linear structure and motion", "rms of bearings", start->bearing_rms, kMostBearing_rad, "rad",
+                       start->bearing_rms < kMostBearing_rad});
     const double size = start->g_w.norm();
-    result_.stages.push_back({"gravity", "relative error of its size", std::abs(size / options_.gravity - 1.0), 0.2,
-                              "1", std::abs(size / options_.gravity - 1.0) < 0.2});
+    stages_.push_back({"gravity", "relative error of its size", std::abs(size / options_.gravity - 1.0), 0.2, "1",
+                       std::abs(size / options_.gravity - 1.0) < 0.2});
     set_start(*start, R_w_b);
+    return true;
   }
 
   /// The world is turned so that gravity points down.
@@ -203,21 +242,31 @@ class TrackEstimator {
     });
   }
 
-  void solve_stages() {
-    SolveOptions quick = options_.solve;
-    quick.covariance = false;
-    quick.max_iterations = 25;
-    quick.relative_decrease = 1e-3;
-    for (const Imu& imu : state_.rig.imus) imu_sigma_.push_back(sigma_of(imu));
-    for (const Camera& camera : state_.rig.cameras) sigma_px_.push_back(camera.pixel_sigma_px);
-    State state = state_;
+  SolveOptions quick() const {
+    SolveOptions options = options_.solve;
+    options.covariance = false;
+    options.max_iterations = 25;
+    options.relative_decrease = 1e-3;
+    return options;
+  }
+
+  /// The motion alone, then with where the cameras are: the cost with the noise of the rig.
+  double first_stages() {
+    double cost = 0.0;
     for (const Freed freed : {Freed::kMotion, Freed::kExtrinsics}) {
-      Problem stage = problem(state, freed);
-      state = solve(stage, quick).state;
+      Problem stage = problem(state_, freed);
+      Solution solution = solve(stage, quick());
+      cost = solution.cost;
+      state_ = std::move(solution.state);
     }
+    return cost;
+  }
+
+  void solve_stages() {
+    State state = state_;
     for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
       Problem every = problem(state, Freed::kAll);
-      const Solution solution = solve(every, quick);
+      const Solution solution = solve(every, quick());
       state = solution.state;
       rescale(every, solution);
     }
@@ -252,9 +301,19 @@ class TrackEstimator {
   const TrackEstimationOptions& options_;
   std::vector<ImuSigma> imu_sigma_;
   std::vector<double> sigma_px_;
+  /// Where one choice of clocks leads.
+  struct Start {
+    double cost = 0.0;
+    std::vector<double> clocks{};
+    State state{};
+    std::vector<Track> tracks{};
+    std::vector<Stage> stages{};
+  };
+
   State state_;
   TimeSpan used_{};
   std::vector<Track> tracks_;
+  std::vector<Stage> stages_;
   Estimation result_;
 };
 

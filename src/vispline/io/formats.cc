@@ -6,8 +6,10 @@
 #include "vispline/io/euroc_groundtruth.h"
 #include "vispline/io/euroc_imu.h"
 #include "vispline/io/gyroflow.h"
+#include "vispline/io/kitti.h"
 #include "vispline/io/mocap.h"
 #include "vispline/io/plain_csv.h"
+#include "vispline/io/recorders.h"
 #include "vispline/io/tum.h"
 
 namespace vispline {
@@ -108,7 +110,7 @@ void fail_content(const ReadContext& context, const ColumnPlan& plan) {
 std::string format_names() {
   std::string names;
   for (const Format& format : kFormats) names += (names.empty() ? "" : ", ") + std::string(format.name);
-  return names;
+  return names + ", " + std::string(kitti::kName) + ", " + recorder_names();
 }
 
 }  // namespace vispline

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPayloadSeconds = 1.001;  // what cameras cut their telemetry into
 constexpr std::uint64_t kMaxBareBytes = std::uint64_t{64} << 20;
-constexpr double kMaxSeconds = 9e9;  // below 2^63 ns
+constexpr double kMaxSeconds = 4e9;  // differences stay below 2^63 ns
 
 /// All samples of one triad, with the points that tell its clock.
 struct Series {
@@ -204,6 +204,7 @@ bool recognizes(Bytes head) {
 ImuStreamResult stream(const Input& input, const ReadOptions& options, const ImuSink& sink,
                        const ImuStreamSettings& settings) {
   ReadContext context(input.name(), "IMU samples", options);
+  context.name_places(", sample ");
   Loaded loaded;
   if (mp4::recognizes(as_bytes(input.head(16)))) {
     load_mp4(context, input, settings.progress, loaded);

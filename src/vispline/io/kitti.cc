@@ -1,6 +1,7 @@
 #include "vispline/io/kitti.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 
 #include "vispline/io/format_words.h"
 #include "vispline/io/text_row.h"
@@ -69,8 +70,27 @@ SensorRow pose_row(ReadContext& context, const Numbers& numbers, std::int64_t li
   return row;
 }
 
+std::size_t decimals_of(std::string_view cell) {
+  const std::size_t point = cell.find('.');
+  return point == std::string_view::npos ? 0 : cell.size() - point - 1;
+}
+
+/// A row without a line end whose last number has fewer digits after the point than those of the first rows.
+bool is_cut(const TextLine& line, const TextLayout& layout) {
+  if (line.has_end) return false;
+  std::size_t usual = SIZE_MAX;
+  for (const std::vector<std::string>& cells : layout.sample) {
+    if (cells.size() == kColumns && &cells != &layout.sample.back()) usual = std::min(usual, decimals_of(cells.back()));
+  }
+  return usual != SIZE_MAX && decimals_of(line.text.substr(line.text.find_last_of(" ,\t") + 1)) < usual;
+}
+
+/// kNoStamp beyond 64 bits.
 std::int64_t stamp_of(const StampPlan& stamps, std::int64_t index) {
-  if (stamps.clock) return to_ns((*stamps.clock)(index));
+  if (stamps.clock) {
+    const bool fits = static_cast<double>(index) * 1e9 / stamps.clock->rate_hz < 9e18;
+    return fits ? to_ns((*stamps.clock)(index)) : kNoStamp;
+  }
   return to_nanoseconds({.whole = index}, *stamps.given).value_or(kNoStamp);
 }
 
@@ -104,7 +124,7 @@ std::vector<SensorRow> load(ReadContext& context, TextLines& lines, const TextLa
     ++context.counts.read;
     Numbers numbers{};
     BadRow bad;
-    if (!reader.read(line.text, numbers, bad)) {
+    if (is_cut(line, layout) || !reader.read(line.text, numbers, bad)) {
       if (line.has_end) {
         context.fail(ExitCode::kInput, bad.code, bad.message, context.where_line(line.number),
                      "mend or remove the row");
@@ -112,8 +132,13 @@ std::vector<SensorRow> load(ReadContext& context, TextLines& lines, const TextLa
       context.drop("W-TRUNCATED", "the last row is cut", context.where_line(line.number));
       continue;
     }
-    rows.push_back(pose_row(context, numbers, line.number));
-    rows.back().ns = stamp_of(stamps, index);
+    SensorRow row = pose_row(context, numbers, line.number);
+    row.ns = stamp_of(stamps, index);
+    if (row.ns == kNoStamp) {
+      context.drop("W-TIME-RANGE", "the stamp is no time of 64 bits", context.where_line(line.number));
+      continue;
+    }
+    rows.push_back(row);
   }
   return rows;
 }

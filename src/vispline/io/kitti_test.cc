@@ -53,7 +53,7 @@ TEST(Kitti, WhatIsRefused) {
 
 TEST(Kitti, CutAtEveryByte) {
   const ScratchFolder folder;
-  const std::string whole = kitti::text(random_poses(6, 9, 0));
+  const std::string row = "1 0 0 0.5 0 0 -1 0 0 1 0 2.25\n", whole = row + row + row + row;
   std::int64_t most = 0;
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     const Outcome cut =
@@ -62,7 +62,7 @@ TEST(Kitti, CutAtEveryByte) {
     EXPECT_GE(cut.kept, cut.exit == 0 ? most : 0) << size;
     most = std::max(most, cut.kept);
   }
-  EXPECT_EQ(most, 6);
+  EXPECT_EQ(most, 4);
 }
 
 TEST(Gcsv, WritesAndReadsBack) {

@@ -40,7 +40,7 @@ std::optional<std::int64_t> stamp_of(const Subscription& topic, Bytes message) {
 
 /// Stamps of an accelerometer that is slower than the gyroscope repeat.
 void add_newer(std::vector<SensorRow>& rows, const SensorRow& row) {
-  if (rows.empty() || row.ns > rows.back().ns) rows.push_back(row);
+  if (row.ns != kNoStamp && (rows.empty() || row.ns > rows.back().ns)) rows.push_back(row);
 }
 
 void take_combined(const Subscription& topic, Bytes message, std::int64_t us, std::int64_t where, Rows& rows) {
@@ -135,6 +135,7 @@ bool recognizes(Bytes head) { return as_text(head).starts_with(std::string_view(
 ImuStreamResult stream(const Input& input, const ReadOptions& options, const ImuSink& sink,
                        const ImuStreamSettings& settings) {
   ReadContext context(input.name(), "IMU samples", options);
+  context.name_places(", byte ");
   Subscriptions subscriptions;
   const Walked walked = walk(input, subscriptions, [](const Subscription&, Bytes, std::uint64_t) {});
   const Source* source = source_of(subscriptions);

@@ -3,6 +3,7 @@
 
 #include "vispline/io/bag_testing.h"
 #include "vispline/io/copy_bag.h"
+#include "vispline/io/imu_stream.h"
 
 namespace vispline {
 namespace {

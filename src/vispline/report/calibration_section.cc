@@ -5,7 +5,6 @@
 #include "vispline/report/calibration_plots.h"
 #include "vispline/report/calibration_tables.h"
 #include "vispline/report/number.h"
-#include "vispline/results/people_unit.h"
 
 namespace vispline::report {
 namespace {

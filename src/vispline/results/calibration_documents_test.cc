@@ -52,6 +52,8 @@ TEST(CalibrationDocuments, Json) {
                                                   "curvature",
                                                   "knots",
                                                   "ate",
+                                                  "jackknife",
+                                                  "twin",
                                                   "first_cost",
                                                   "cost",
                                                   "iterations",

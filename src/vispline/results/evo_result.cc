@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cstdlib>
 #include <numeric>
 
 #include "vispline/files/zip.h"
@@ -61,9 +62,9 @@ std::string number(double value) {
 std::string tum(const std::vector<Time>& time, const std::vector<Pose>& poses) {
   std::string out;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::int64_t ns = to_ns(time[i]);
+    const std::int64_t ns = std::abs(to_ns(time[i]));
     const std::string fraction = std::to_string(1'000'000'000 + ns % 1'000'000'000);
-    out += std::to_string(ns / 1'000'000'000) + "." + fraction.substr(1);
+    out += (to_ns(time[i]) < 0 ? "-" : "") + std::to_string(ns / 1'000'000'000) + "." + fraction.substr(1);
     const Eigen::Quaterniond q = poses[i].quaternion();
     const Vector3d& p = poses[i].p;
     for (const double value : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()}) out += " " + number(value);
