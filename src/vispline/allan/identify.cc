@@ -18,7 +18,7 @@ constexpr double kBelievedMisfit = 9.0;  ///< chi-square of an octave up to whic
 constexpr double kReportedMisfit = 0.10;
 constexpr double kTwoSided68 = 1.0, kTwoSided95 = 3.841;
 /// Twice the log-likelihood by which flicker, or a ramp, has to be better than a random walk to be named instead.
-constexpr double kFlickerHandicap = 2.0, kRampHandicap = 8.0;
+constexpr double kFlickerHandicap = 4.0, kRampHandicap = 8.0;
 /// Expected loss of twice the log-likelihood at which a term is found nine times out of ten: (sqrt(15.14) + 1.28)^2.
 constexpr double kSurelyFound = 26.7;
 constexpr double kLongestFactor = 1e4;
@@ -187,7 +187,8 @@ double expected_significance(double rate_hz, double duration_s, const TermMask& 
   return 2.0 * (full - fit.maximise(without, std::nullopt, &start).log_likelihood);
 }
 
-/// Length of a record that would find a coefficient half as large as the bound.
+/// Length of a record that would find a coefficient half as large as the bound; none if this record would have, so that
+/// only the terms that look like it make the bound so wide.
 std::optional<double> record_needed(double rate_hz, double duration_s, const TermMask& mask, std::size_t term,
                                     SpectralModel truth, double bound) {
   if (term == kRamp) return std::nullopt;
@@ -198,7 +199,7 @@ std::optional<double> record_needed(double rate_hz, double duration_s, const Ter
     longer *= 1.25;
     if (longer > kLongestFactor * duration_s) return std::nullopt;
   }
-  return longer;
+  return longer > duration_s ? std::optional(longer) : std::nullopt;
 }
 
 /// The terms with `term` in the place of those that look like it in a short record; empty if there are none.
