@@ -23,7 +23,7 @@ struct AllanFlags {
   Session session;
   ReadFlags read;
   ImuFlags imu;
-  std::string file, topic, data = "imu", out, explain, memory = "auto";
+  std::string file, data = "imu", out, explain, memory = "auto";
   std::string taus = "log";
   std::vector<std::string> deviations{"oadev"}, dialects;
   bool self_test = false;
@@ -108,7 +108,8 @@ void run_file(AllanFlags& flags) {
   std::vector<std::string> next;
   if (!flags.out.empty()) {
     const std::string title = std::filesystem::path(flags.file).filename().string();
-    next = write_allan(flags.out, result, flags.dialects, flags.topic, title, flags.session);
+    next = write_allan(flags.out, result, flags.dialects, flags.read.topic.empty() ? "" : flags.read.topic[0], title,
+                       flags.session);
   }
   std::cout << (flags.session.json ? allan_json(result, flags.session.context) : allan_text(result));
   if (!flags.out.empty()) std::cerr << "report: " << flags.out << "/report.html\n";
@@ -129,7 +130,6 @@ void add_allan(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("allan", "noise of a still IMU (or any series) by Allan deviation and likelihood");
   verb->add_option("file", flags->file, "a still recording, or a column of numbers with --data");
-  verb->add_option("--topic", flags->topic, "the topic of the IMU; also written into the parameter files");
   verb->add_option("--data", flags->data, "imu; frequency or phase: one column of numbers at --rate")
       ->check(CLI::IsMember({"imu", "frequency", "phase"}));
   verb->add_option("--deviation", flags->deviations, "oadev, adev, mdev, tdev, hdev, ohdev, totdev")->delimiter(',');
