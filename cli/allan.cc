@@ -10,6 +10,7 @@
 #include "flags.h"
 #include "validators.h"
 #include "verbs.h"
+#include "vispline/bags/open_bag.h"
 #include "vispline/calibration/imu_utils_explanation.h"
 #include "vispline/core/parallel.h"
 #include "vispline/results/allan_documents.h"
@@ -50,9 +51,16 @@ AllanOptions analysis_options(const AllanFlags& flags) {
   return options;
 }
 
+/// A single table has no topics: there --topic only names the sensor in the parameter files.
+void drop_topic_of_table(ReadOptions& read, const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error) && !is_bag(path)) read.topic.clear();
+}
+
 AllanResult analyze(AllanFlags& flags) {
   const AllanOptions options = analysis_options(flags);
   ReadOptions read = flags.read.options(0, flags.session);
+  drop_topic_of_table(read, flags.file);
   if (flags.data == "imu") return analyze_imu(flags.file, read, options, flags.session);
   const double rate_hz = std::exchange(read.rate_hz, 0.0);
   require(rate_hz > 0.0, "--rate, in Hz, with --data frequency or phase");

@@ -72,7 +72,7 @@ void EstimationFlags::add_to(CLI::App& verb) {
   verb.add_option("--truth", truth, "poses of the body to compare the trajectory with");
   verb.add_option("--truth-rig", truth_rig, "rig to show beside the estimate");
   verb.add_option("--twin", twin, "simulate and estimate so many twins, and compare their scatter with the sigmas");
-  verb.add_option("--jackknife", jackknife, "blocks of time to leave out in turn");
+  verb.add_option("--jackknife", jackknife, "sigmas from how far so many blocks of time pull the result");
   verb.add_option("--threads", threads, "0: all of the machine");
   verb.add_option("--out", out, "folder for result.json, trajectory.tum, rig.yaml, report.html")
       ->required()

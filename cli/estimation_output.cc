@@ -89,7 +89,8 @@ void finish_estimation(EstimationFlags& flags, const Estimation& estimation, con
   report::CalibrationCourse course;
   compare(flags, poses_of(folder.course), result, course);
   folder.json = calibration_json(result, flags.session.context);
-  folder.page = report::calibration_page(result, course, "Estimation from " + stem(flags.recording));
+  folder.page = report::calibration_page(result, course, "Estimation from " + stem(flags.recording),
+                                         {.version = flags.session.context.version});
   flags.session.finish(result.diagnostics);
   for (const std::string& note : write_result_folder(folder, result, output_options(flags.session))) {
     std::cerr << "note: " << note << '\n';

@@ -23,9 +23,17 @@ void each_batch(const std::vector<Time>& time, TimeSpan span, Duration spacing, 
   }
 }
 
+constexpr std::size_t kFewestSamples = 10;
 constexpr std::size_t kSmoothKnots = 12;  // knots whose bends are rows of one measurement
 
 }  // namespace
+
+const ImuSignal& samples_of(const Recording& recording, const Imu& imu) {
+  const auto found = recording.imus.find(imu.name);
+  if (found != recording.imus.end() && found->second.size() > kFewestSamples) return found->second;
+  throw Error(ExitCode::kUnfit, {"E-TOPIC", "the recording has no samples of " + quoted(imu.name), "",
+                                 "nothing estimated", "name the recording of every IMU of the rig"});
+}
 
 ImuSigma sigma_of(const Imu& imu) {
   const double root = std::sqrt(imu.rate_hz);

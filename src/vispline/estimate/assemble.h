@@ -14,6 +14,9 @@ namespace vispline {
 /// Points of a target by their id; frame t, m.
 using TargetPoints = std::map<std::uint64_t, Vector3d>;
 
+/// What an IMU of the rig recorded. Throws Error(kUnfit, E-TOPIC) for next to nothing.
+const ImuSignal& samples_of(const Recording& recording, const Imu& imu);
+
 /// Discrete noise of an IMU at its rate: N sqrt(rate). Throws Error E-CONFIG if a density is not positive.
 ImuSigma sigma_of(const Imu& imu);
 

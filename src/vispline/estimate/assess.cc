@@ -24,6 +24,11 @@ constexpr double kLeastCurvature = 0.8, kMostCurvature = 1.25;
 
 std::string text(double value) { return number_text(value, 3); }
 
+/// As far as can be told.
+bool is_white(const SensorResiduals& r) {
+  return r.dof < kLeastDof || (r.lag1 >= r.lag1_low - kMostCorrelated && r.lag1 <= r.lag1_high + kMostCorrelated);
+}
+
 class Judge {
  public:
   Judge(const Solution& solution, bool full_rank, const AssessOptions& options, CalibrationResult& result)
@@ -119,8 +124,15 @@ class Judge {
   }
 
   std::string summary() const {
+    std::string coloured;
+    for (const SensorResiduals& r : result_.residuals) {
+      if (!is_white(r)) coloured += (coloured.empty() ? "" : ", ") + r.sensor;
+    }
+    const std::string but =
+        coloured.empty() ? "" : "; but those of " + coloured + " are not white, so that sigmas are too small";
     return "tolerance met after " + std::to_string(result_.iterations) + " iterations; lowest cost within " +
-           text(result_.gradient_sigmas) + " sigma of every parameter; full rank; residuals as their sigmas say";
+           text(result_.gradient_sigmas) +
+           " sigma of every parameter; full rank; residuals as large as their sigmas say" + but;
   }
 
   const Solution& solution_;
@@ -131,8 +143,7 @@ class Judge {
 
 void warn(CalibrationResult& result) {
   for (const SensorResiduals& r : result.residuals) {
-    if (r.dof < kLeastDof) continue;
-    if (r.lag1 < r.lag1_low - kMostCorrelated || r.lag1 > r.lag1_high + kMostCorrelated) {
+    if (!is_white(r)) {
       result.diagnostics.add({.code = "W-NOT-WHITE",
                               .message = r.sensor + ": consecutive residuals are correlated by " + text(r.lag1) +
                                          ", white ones would be between " + text(r.lag1_low) + " and " +

@@ -21,13 +21,6 @@ constexpr int kNoiseRounds = 3;
 constexpr double kImuScaleSigma = 0.02;  // what MEMS sensors are off by, in scale and in rad
 constexpr std::size_t kPoseChunk = 16;
 
-const ImuSignal& imu_signal(const Recording& recording, const Imu& imu) {
-  const auto found = recording.imus.find(imu.name);
-  if (found != recording.imus.end() && found->second.size() > 10) return found->second;
-  throw Error(ExitCode::kUnfit, {"E-TOPIC", "the recording has no samples of " + quoted(imu.name), "",
-                                 "nothing estimated", "name the recording of every IMU of the rig"});
-}
-
 /// Poses of one camera in the frame of the target, one an image.
 struct CameraPoses {
   Signal<Pose> T_t_c{};
@@ -69,24 +62,17 @@ class Calibrator {
   Estimation run() {
     require(!rig_.imus.empty() && !rig_.cameras.empty(), "a rig with an IMU and a camera");
     require_valid(rig_);
-    timed("start", [this] {
+    timed(result_, "start", [this] {
       find_cameras();
       find_other_imus();
       start_curve();
     });
-    timed("solve", [this] { solve_stages(); });
+    timed(result_, "solve", [this] { solve_stages(); });
     return std::move(result_);
   }
 
  private:
-  template <class Work>
-  void timed(const char* what, const Work& work) {
-    const double begin = processor_time_s();
-    work();
-    result_.cpu_s.emplace_back(what, processor_time_s() - begin);
-  }
-
-  const ImuSignal& reference_imu() const { return imu_signal(recording_, rig_.imus.front()); }
+  const ImuSignal& reference_imu() const { return samples_of(recording_, rig_.imus.front()); }
 
   void stage(const std::string& name, const std::string& measure, double value, double limit, const std::string& unit,
              bool passed) {
@@ -142,7 +128,7 @@ class Calibrator {
   void find_other_imus() {
     for (std::size_t i = 1; i < rig_.imus.size(); ++i) {
       Imu& imu = rig_.imus[i];
-      const ImuComparison compared = compare_imu(imu_signal(recording_, imu), reference_imu());
+      const ImuComparison compared = compare_imu(samples_of(recording_, imu), reference_imu());
       stage("clock of " + imu.name, "correlation of |angular rate| with " + rig_.imus.front().name,
             compared.offset_correlation, 0.5, "1", compared.aligned && compared.offset_correlation > 0.5);
       imu.gyroscope.time_offset_s = imu.accelerometer.time_offset_s = compared.time_offset_s;
@@ -201,7 +187,7 @@ class Calibrator {
     treat(problem.parameters, usual(everything));
     if (everything) treat(problem.parameters, options_.treatments);
     for (std::size_t i = 0; i < rig_.imus.size(); ++i) {
-      add_imu(problem, i, imu_signal(recording_, rig_.imus[i]), used_, imu_sigma_[i], {});
+      add_imu(problem, i, samples_of(recording_, rig_.imus[i]), used_, imu_sigma_[i], {});
     }
     for (std::size_t c = 0; c < rig_.cameras.size(); ++c) {
       const FeatureSignal* features = features_of(rig_.cameras[c]);

@@ -1,6 +1,7 @@
 /// An estimation from start to end, whatever it was made from. docs/math/estimate.md.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,9 +21,6 @@ struct Stage {
   bool passed = false;
 };
 
-/// Processor time of the process since it began, s.
-double processor_time_s();
-
 /// What an estimation leaves: the last problem, its solution, and how it got there.
 struct Estimation {
   Problem problem{};  ///< the last one, with its start
@@ -31,5 +29,8 @@ struct Estimation {
   std::vector<std::pair<std::string, double>> cpu_s{};  ///< processor time by part of the work, in order
   Diagnostics diagnostics{};
 };
+
+/// Does a part of the work and notes what it cost.
+void timed(Estimation& estimation, const std::string& what, const std::function<void()>& work);
 
 }  // namespace vispline

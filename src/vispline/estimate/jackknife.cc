@@ -4,26 +4,11 @@
 #include <cmath>
 
 #include "vispline/core/error.h"
-#include "vispline/core/parallel.h"
+#include "vispline/estimate/normal_equations.h"
 #include "vispline/estimate/parameter_kind.h"
 
 namespace vispline {
 namespace {
-
-/// A measurement of another problem, with the weights that it has there.
-class Borrowed final : public Measurement {
- public:
-  explicit Borrowed(const Measurement& measurement) : measurement_(measurement) {}
-  std::vector<std::string> sensors() const override { return measurement_.sensors(); }
-  std::size_t sensor_of(Eigen::Index row) const override { return measurement_.sensor_of(row); }
-  Time time() const override { return measurement_.time(); }
-  void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
-    measurement_.evaluate(state, columns, derivatives, rows);
-  }
-
- private:
-  const Measurement& measurement_;
-};
 
 /// Of an instrument, not a prior.
 bool is_reading(const Measurement& measurement) {
@@ -33,101 +18,74 @@ bool is_reading(const Measurement& measurement) {
   return false;
 }
 
-/// What is left of a track outside `block`; empty without its reference view, or with nothing beside it.
-std::vector<Sighting> outside(const Track& track, const TimeSpan& block) {
-  std::vector<Sighting> left;
-  for (const Sighting& s : track.sightings) {
-    const bool inside = s.stamp >= block.begin && s.stamp < block.end;
-    if (!inside) left.push_back(s);
-    if (inside && left.empty()) return {};
+/// Equal parts of the time between the first reading and the last.
+class Blocks {
+ public:
+  Blocks(const Problem& problem, int count) : count_(count) {
+    for (const auto& measurement : problem.measurements) {
+      if (is_reading(*measurement)) extend(measurement->time());
+    }
+    for (const Track& track : problem.tracks) extend(track.sightings.front().stamp);
   }
-  if (left.size() < 2) left.clear();
-  return left;
-}
+  Eigen::Index of(Time time) const {
+    const double share = to_seconds(time - begin_) / std::max(1e-9, to_seconds(end_ - begin_));
+    return std::clamp(static_cast<Eigen::Index>(share * count_), Eigen::Index{0}, Eigen::Index{count_ - 1});
+  }
 
-Problem without(const Problem& problem, const Solution& solution, const TimeSpan& block) {
-  Problem rest;
-  rest.start = solution.state;
-  rest.parameters = problem.parameters;
-  rest.track_model = problem.track_model;
+ private:
+  void extend(Time time) {
+    begin_ = any_ ? std::min(begin_, time) : time;
+    end_ = any_ ? std::max(end_, time) : time;
+    any_ = true;
+  }
+  int count_;
+  bool any_ = false;
+  Time begin_{}, end_{};
+};
+
+/// J^T r of the readings of each block; a track counts where its landmark is anchored.
+Eigen::MatrixXd scores(const Problem& problem, const Solution& solution, const Blocks& blocks, int count) {
+  Eigen::MatrixXd score = Eigen::MatrixXd::Zero(solution.columns.layout.columns, count);
+  Rows rows;
   for (const auto& measurement : problem.measurements) {
-    const bool inside = measurement->time() >= block.begin && measurement->time() < block.end;
-    if (inside && is_reading(*measurement)) continue;
-    rest.measurements.push_back(std::make_unique<Borrowed>(*measurement));
+    if (!is_reading(*measurement)) continue;
+    measurement->evaluate(solution.state, solution.columns, true, rows);
+    const Eigen::VectorXd g = rows.J.transpose() * rows.weight.cwiseProduct(rows.r);
+    const Eigen::Index block = blocks.of(measurement->time());
+    for (std::size_t c = 0; c < rows.column.size(); ++c) {
+      score(rows.column[c], block) += g(static_cast<Eigen::Index>(c));
+    }
   }
+  if (problem.tracks.empty()) return score;
+  Skyline unused(solution.columns.layout.columns);
+  for (const Track& track : problem.tracks) unused.couple(columns_of(solution.state, solution.columns, track));
+  unused.allocate();
   for (const Track& track : problem.tracks) {
-    std::vector<Sighting> left = outside(track, block);
-    if (!left.empty()) rest.tracks.push_back({track.landmark, std::move(left)});
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(score.rows());
+    linearize_track(solution.state, solution.columns, problem.track_model, track, unused, g);
+    score.col(blocks.of(track.sightings.front().stamp)) += g;
   }
-  return rest;
-}
-
-/// First and last reading.
-TimeSpan measured_span(const Problem& problem) {
-  TimeSpan span{problem.start.curve->span().end, problem.start.curve->span().begin};
-  const auto extend = [&](Time time) {
-    span.begin = std::min(span.begin, time);
-    span.end = std::max(span.end, time);
-  };
-  for (const auto& measurement : problem.measurements) {
-    if (is_reading(*measurement)) extend(measurement->time());
-  }
-  for (const Track& track : problem.tracks) {
-    for (const Sighting& s : track.sightings) extend(s.stamp);
-  }
-  span.end += Duration(1);
-  return span;
-}
-
-Eigen::VectorXd difference(const Solution& from, const State& to) {
-  Eigen::VectorXd delta(from.covariance.rows());
-  for (const Parameter& parameter : from.parameters) {
-    if (parameter.column < 0) continue;
-    delta.segment(parameter.column - from.columns.layout.first_parameter, parameter.size) =
-        parameter.delta(from.state, to);
-  }
-  return delta;
+  return score;
 }
 
 }  // namespace
 
 Jackknife jackknife(const Problem& problem, const Solution& solution, const JackknifeOptions& options) {
   require(solution.covariance.size() > 0 && options.blocks >= 2, "a solution with covariance, and two blocks or more");
-  const TimeSpan span = measured_span(problem);
-  const auto blocks = static_cast<std::size_t>(options.blocks);
-  std::vector<std::optional<Eigen::VectorXd>> moved(blocks);
-  parallel_for(blocks, options.threads, [&](std::size_t b) {
-    const Duration all = span.end - span.begin;
-    const auto edge = [&](std::size_t i) {
-      return span.begin + Duration(all.count() / options.blocks * static_cast<std::int64_t>(i));
-    };
-    Problem rest = without(problem, solution, {edge(b), b + 1 == blocks ? span.end : edge(b + 1)});
-    SolveOptions solve_options;
-    solve_options.max_iterations = options.max_iterations;
-    solve_options.covariance = false;
-    const Solution again = solve(rest, solve_options);
-    if (again.status == SolveStatus::kConverged) moved[b] = difference(solution, again.state);
-  });
   Jackknife result;
   result.blocks = options.blocks;
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(solution.covariance.rows()), squares = sum;
-  double count = 0.0;
-  for (const auto& m : moved) {
-    if (!m) {
-      ++result.failed;
-      continue;
-    }
-    sum += *m;
-    squares += m->cwiseAbs2();
-    count += 1.0;
-  }
-  if (count < 2.0) return result;
-  const Eigen::VectorXd variance = (count - 1.0) / count * (squares - sum.cwiseAbs2() / count);
+  const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
+  const auto pulled = equations.solve(scores(problem, solution, Blocks(problem, options.blocks), options.blocks));
+  if (!pulled) return result;
+  const Eigen::MatrixXd shift = pulled->bottomRows(solution.covariance.rows());
+  const double g = options.blocks;
+  const Eigen::VectorXd mean = shift.rowwise().mean();
+  const Eigen::VectorXd variance = g / (g - 1.0) * (shift.colwise() - mean).rowwise().squaredNorm();
   const std::vector<NamedComponent> components = named_components(solution.parameters, solution.state);
   for (Eigen::Index i = 0; i < variance.size(); ++i) {
     const NamedComponent& component = components[static_cast<std::size_t>(i)];
-    result.components.push_back({component.label(), component.kind.unit, std::sqrt(solution.covariance(i, i)),
-                                 std::sqrt(std::max(0.0, variance(i))), 0.0});
+    result.components.push_back(
+        {component.label(), component.kind.unit, std::sqrt(solution.covariance(i, i)), std::sqrt(variance(i)), 0.0});
   }
   return result;
 }

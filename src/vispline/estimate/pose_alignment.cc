@@ -106,7 +106,7 @@ double residual(const ImuComparison& compared) {
 void check_directions(const ImuSignal& imu, const PoseAlignment& alignment) {
   if (alignment.gyro_residual <= kMostResidual * spread(imu)) return;
   const std::string left = text(alignment.gyro_residual) + " rad/s of " + text(spread(imu)) + " rad/s remain";
-  if (alignment.correlation < kSameMotion) {
+  if (alignment.correlation < kSameMotion || alignment.gyro_residual > spread(imu)) {
     unfit("E-CLOCK",
           "the angular rates of poses and IMU agree at no offset in time: " + left +
               " at the best one, where their sizes correlate by " + text(alignment.correlation),

@@ -29,10 +29,13 @@ class PoseEstimator {
   }
 
   Estimation run() {
-    const double begin = processor_time_s();
-    start();
-    const double started = processor_time_s();
-    result_.cpu_s.emplace_back("start", started - begin);
+    timed(result_, "start", [this] { start(); });
+    timed(result_, "solve", [this] { solve_stages(); });
+    return std::move(result_);
+  }
+
+ private:
+  void solve_stages() {
     Sigmas sigmas{sigma_of(state_.rig.imus[0])};
     SolveOptions quick = options_.solve;
     quick.covariance = false;
@@ -49,11 +52,8 @@ class PoseEstimator {
     }
     result_.problem = problem(sigmas);
     result_.solution = solve(result_.problem, options_.solve);
-    result_.cpu_s.emplace_back("solve", processor_time_s() - started);
-    return std::move(result_);
   }
 
- private:
   void start() {
     const PoseAlignment alignment = align_poses(poses_, imu_, result_.diagnostics);
     result_.stages.push_back({"clock of the poses", "correlation of |angular rate| with the IMU", alignment.correlation,

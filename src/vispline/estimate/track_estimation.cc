@@ -34,28 +34,16 @@ class TrackEstimator {
   }
 
   Estimation run() {
-    timed("start", [this] {
+    timed(result_, "start", [this] {
       span();
       find_start();
     });
-    timed("solve", [this] { solve_stages(); });
+    timed(result_, "solve", [this] { solve_stages(); });
     return std::move(result_);
   }
 
  private:
-  template <class Work>
-  void timed(const char* what, const Work& work) {
-    const double begin = processor_time_s();
-    work();
-    result_.cpu_s.emplace_back(what, processor_time_s() - begin);
-  }
-
-  const ImuSignal& imu(std::size_t i) const {
-    const auto found = recording_.imus.find(state_.rig.imus[i].name);
-    if (found != recording_.imus.end() && found->second.size() > 10) return found->second;
-    throw Error(ExitCode::kUnfit, {"E-TOPIC", "the recording has no samples of " + quoted(state_.rig.imus[i].name), "",
-                                   "nothing estimated", "name the recording of every IMU of the rig"});
-  }
+  const ImuSignal& imu(std::size_t i) const { return samples_of(recording_, state_.rig.imus[i]); }
 
   const FeatureSignal* features(std::size_t c) const {
     const auto found = recording_.features.find(state_.rig.cameras[c].name);

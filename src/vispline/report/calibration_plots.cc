@@ -29,7 +29,9 @@ Series circle(double radius) {
     x.push_back(radius * std::cos(angle));
     y.push_back(radius * std::sin(angle));
   }
-  return guide(std::move(x), std::move(y));
+  Series series = guide(std::move(x), std::move(y));
+  series.colour = 1;
+  return series;
 }
 
 /// Sum of residuals by region of the image.
@@ -50,12 +52,14 @@ struct Regions {
     }
     size = (high - low).cwiseMax(1.0).cwiseQuotient(Vector2d(kColumns, kRows));
     for (std::size_t i = 0; i < r.px.size(); ++i) {
+      const Vector2d residual(r.residual[0][i], r.residual[1][i]);
+      if (residual.cwiseAbs().maxCoeff() > 4.0 * r.sigma) continue;  // a few outliers would be all that is seen
       const Vector2d at = (r.px[i] - low).cwiseQuotient(size);
       const auto column = std::min(kColumns - 1, static_cast<std::size_t>(at.x()));
       const auto row = std::min(kRows - 1, static_cast<std::size_t>(at.y()));
       Region& region_at = region[row * kColumns + column];
       ++region_at.count;
-      region_at.sum += Vector2d(r.residual[0][i], r.residual[1][i]);
+      region_at.sum += residual;
     }
   }
 
@@ -144,7 +148,7 @@ Plot reprojection_plot(const SensorResiduals& r) {
 }
 
 Plot region_plot(const SensorResiduals& r) {
-  Plot plot{.title = "", .x_label = "column [px]", .y_label = "row [px], downwards"};
+  Plot plot{.title = "", .x_label = "column [px]", .y_label = "minus row [px]"};
   plot.equal_aspect = true;
   plot.width_px = 400.0;
   if (r.px.empty()) return plot;
@@ -159,7 +163,7 @@ Plot region_plot(const SensorResiduals& r) {
     if (regions.region[i].count >= kFewest) add_arrow(arrows, regions.centre(i), scale * regions.mean(i));
   }
   plot.series.push_back(std::move(arrows));
-  plot.title = joined({r.sensor, ": mean by region, longest arrow ", significant(largest, 2), " px"});
+  plot.title = joined({r.sensor, ": means, longest ", significant(largest, 2), " px"});
   return plot;
 }
 

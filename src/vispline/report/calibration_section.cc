@@ -94,10 +94,10 @@ Section confidence_section(const CalibrationResult& result) {
          ". Its 95 % intervals hold ", significant(100.0 * result.twin->coverage, 3), " % of the true numbers."})});
   }
   if (result.jackknife) {
-    section.blocks.emplace_back(
-        Paragraph{joined({"The jack-knife leaves out one of ", std::to_string(result.jackknife->blocks),
-                          " blocks of time after the other. It needs no model of the noise: where it "
-                          "finds more than sigma, noise is not white or the model lacks something."})});
+    section.blocks.emplace_back(Paragraph{
+        joined({"The jack-knife asks how far each of ", std::to_string(result.jackknife->blocks),
+                " blocks of time pulls the estimate. It needs no model of the noise: where it finds much more "
+                "than sigma, noise is not white or the model lacks something."})});
   }
   if (result.twin || result.jackknife) section.blocks.emplace_back(spread_table(result));
   if (result.correlation.size() > 0) section.blocks.emplace_back(correlation_map(result));
@@ -133,7 +133,10 @@ Section motion_section(const CalibrationResult& result, const CalibrationCourse&
 Section diagnostic_section(const CalibrationResult& result) {
   Section section{"Warnings", {}};
   for (const Diagnostic& d : result.diagnostics.examples()) {
-    section.blocks.emplace_back(Paragraph{joined({d.code, ": ", d.message, ". ", d.effect, "; ", d.next, "."})});
+    std::string text = joined({d.code, ": ", d.message, "."});
+    if (!d.effect.empty()) text += joined({" Effect: ", d.effect, "."});
+    if (!d.next.empty()) text += joined({" Next: ", d.next, "."});
+    section.blocks.emplace_back(Paragraph{std::move(text)});
   }
   return section;
 }

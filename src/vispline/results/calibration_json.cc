@@ -69,7 +69,7 @@ JsonObject to_json(const Jackknife& jackknife) {
   JsonObject object;
   std::vector<JsonObject> components;
   for (const ComponentSpread& c : jackknife.components) components.push_back(to_json(c));
-  return object.set("blocks", jackknife.blocks).set("failed", jackknife.failed).set("numbers", components);
+  return object.set("blocks", jackknife.blocks).set("numbers", components);
 }
 
 JsonObject to_json(const Twin& twin) {

@@ -72,7 +72,7 @@ inline CalibrationResult calibration_result() {
   r.trajectory.emplace();
   r.trajectory->position_m.rmse = 0.002;
   r.trajectory->rotation_rmse_deg = 0.1;
-  r.jackknife = Jackknife{10, 0, {{"cam0.T_c_i.translation x", "m", 0.0004, 0.0005, 0.0}}};
+  r.jackknife = Jackknife{10, {{"cam0.T_c_i.translation x", "m", 0.0004, 0.0005, 0.0}}};
   r.twin = Twin{100, 1, 9, 1.02, 0.9, 1.1, 0.951, {{"cam0.T_c_i.translation x", "m", 0.0004, 0.00041, 0.95}}};
   r.diagnostics.add({.code = "W-CURVATURE", .message = "m", .where = "", .effect = "e", .next = "n"});
   return r;

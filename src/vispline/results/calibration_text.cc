@@ -104,9 +104,10 @@ std::string spread_table(const CalibrationResult& result) {
 }
 
 std::string twin_line(const Twin& twin) {
-  return "twin: NEES " + number_text(twin.nees, 3) + " over " + std::to_string(twin.runs) + " runs, right sigmas give " +
-         number_text(twin.nees_low, 3) + " to " + number_text(twin.nees_high, 3) + "; 95 % intervals hold " +
-         number_text(100.0 * twin.coverage, 3) + " %; " + std::to_string(twin.failed) + " runs failed\n";
+  return "twin: NEES " + number_text(twin.nees, 3) + " over " + std::to_string(twin.runs) +
+         " runs, right sigmas give " + number_text(twin.nees_low, 3) + " to " + number_text(twin.nees_high, 3) +
+         "; 95 % intervals hold " + number_text(100.0 * twin.coverage, 3) + " %; " + std::to_string(twin.failed) +
+         " runs failed\n";
 }
 
 }  // namespace

@@ -15,10 +15,9 @@ struct ComponentSpread {
   double coverage = 0.0;  ///< share of runs whose 95 % interval holds the truth; of the twin only
 };
 
-/// The problem solved again without one block of time after the other.
+/// How far single blocks of time pull the estimate.
 struct Jackknife {
   int blocks = 0;
-  int failed = 0;  ///< solutions that did not converge; not counted
   std::vector<ComponentSpread> components{};
 };
 
@@ -26,11 +25,11 @@ struct Jackknife {
 struct Twin {
   int runs = 0;
   int failed = 0;
-  int states = 0;          ///< numbers that are estimated
-  double nees = 0.0;       ///< mean of e^T Sigma^-1 e over states: 1 if sigmas are right
-  double nees_low = 0.0;   ///< two-sided 99 % band of that mean
+  int states = 0;         ///< numbers that are estimated
+  double nees = 0.0;      ///< mean of e^T Sigma^-1 e over states: 1 if sigmas are right
+  double nees_low = 0.0;  ///< two-sided 99 % band of that mean
   double nees_high = 0.0;
-  double coverage = 0.0;   ///< of 95 % intervals, over all numbers and runs
+  double coverage = 0.0;  ///< of 95 % intervals, over all numbers and runs
   std::vector<ComponentSpread> components{};
 
   bool consistent() const { return nees >= nees_low && nees <= nees_high; }
