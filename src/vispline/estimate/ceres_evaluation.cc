@@ -7,33 +7,35 @@
 namespace vispline::through_ceres {
 namespace {
 
-/// Factor of a residual whose robust weight is w.
-double factor(double w) { return std::sqrt(w * (2.0 - w)); }
+/// What the rows r leave of a cost, as one row: zero where it is rounding.
+double remainder(double cost, double squares) {
+  const double rest = 2.0 * cost - squares;
+  return rest > 1e-12 * cost ? std::sqrt(rest) : 0.0;
+}
 
-/// The last row holds what the readings cost that cannot be predicted here.
 void take(const Rows& rows, bool derivatives, Residuals& out) {
   const Eigen::Index n = rows.r.size();
-  const Eigen::VectorXd f = rows.weight.unaryExpr(&factor);
+  const Eigen::VectorXd root = rows.weight.cwiseSqrt();
   out.column = rows.column;
   out.r.resize(n + 1);
-  out.r.head(n) = f.cwiseProduct(rows.r);
-  out.r(n) = std::sqrt(std::max(0.0, 2.0 * rows.cost - out.r.head(n).squaredNorm()));
-  if (rows.lost == 0) out.r(n) = 0.0;
+  out.r.head(n) = root.cwiseProduct(rows.r);
+  out.r(n) = remainder(rows.cost, out.r.head(n).squaredNorm());
   if (!derivatives) return;
   out.J.setZero(n + 1, rows.J.cols());
-  out.J.topRows(n) = rows.weight.cwiseQuotient(f).asDiagonal() * rows.J;
+  out.J.topRows(n) = root.asDiagonal() * rows.J;
 }
 
 void take(const SightingRows& rows, const TrackModel& model, Residuals& out) {
-  const double f = factor(rows.weight);
+  const double root = std::sqrt(rows.weight);
+  const double s = rows.lost ? kLostSigmas * kLostSigmas : rows.r.squaredNorm();
   out.column = rows.column;
-  out.r.setZero(3);
-  out.r.head<2>() = f * rows.r;
-  if (rows.lost) out.r(2) = std::sqrt(model.loss.loss(kLostSigmas * kLostSigmas));
+  out.r.resize(3);
+  out.r.head<2>() = root * rows.r;
+  out.r(2) = remainder(0.5 * model.loss.loss(s), out.r.head<2>().squaredNorm());
   out.J.setZero(3, rows.J.cols());
-  out.J.topRows<2>() = rows.weight / f * rows.J;
+  out.J.topRows<2>() = root * rows.J;
   out.J_landmark.setZero(3, model.size());
-  out.J_landmark.topRows<2>() = rows.weight / f * rows.J_landmark.leftCols(model.size());
+  out.J_landmark.topRows<2>() = root * rows.J_landmark.leftCols(model.size());
 }
 
 }  // namespace

@@ -9,8 +9,9 @@
 
 namespace vispline::through_ceres {
 
-/// Rows of one residual block. With w the robust weight rho', a row r counts as f r, f^2 = w (2 - w): the sum of their
-/// squares is then exactly that of rho (Huber). Its derivatives are multiplied by w / f, which gives the gradient.
+/// Rows of one residual block. With w the robust weight rho', a row r counts as sqrt(w) r, and so do its derivatives:
+/// the gradient is exact, the curvature that of our own solver. What is left of the cost, sum(rho - w r^2) >= 0 and
+/// readings that cannot be predicted, is the last row, which has no derivatives.
 struct Residuals {
   Eigen::VectorXd r{};
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> J{};

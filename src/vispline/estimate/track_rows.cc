@@ -7,19 +7,19 @@ namespace {
 
 using namespace track_kernel;
 
-/// Adds B to the columns of `rows` that are called by B's local ones, appending those that are new.
-template <class Block>
-void add_columns(const std::vector<int>& global, const Block& B, SightingRows& rows) {
-  for (std::size_t i = 0; i < global.size(); ++i) {
-    const auto found = std::find(rows.column.begin(), rows.column.end(), global[i]);
+/// The columns of A, then those of Q that A does not have; where both have one, the sum.
+void set_columns(const std::vector<int>& global_A, const Eigen::Ref<const Eigen::MatrixXd>& A,
+                 const std::vector<int>& global_Q, const Eigen::Ref<const Eigen::MatrixXd>& Q, SightingRows& rows) {
+  rows.column = global_A;
+  rows.J.setZero(2, A.cols() + Q.cols());
+  rows.J.leftCols(A.cols()) = A;
+  for (std::size_t i = 0; i < global_Q.size(); ++i) {
+    const auto found = std::find(rows.column.begin(), rows.column.end(), global_Q[i]);
     const auto at = static_cast<Eigen::Index>(found - rows.column.begin());
-    if (found == rows.column.end()) {
-      rows.column.push_back(global[i]);
-      rows.J.conservativeResize(Eigen::NoChange, at + 1);
-      rows.J.col(at).setZero();
-    }
-    rows.J.col(at) += B.col(static_cast<Eigen::Index>(i));
+    if (found == rows.column.end()) rows.column.push_back(global_Q[i]);
+    rows.J.col(at) += Q.col(static_cast<Eigen::Index>(i));
   }
+  rows.J.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(rows.column.size()));
 }
 
 }  // namespace
@@ -31,6 +31,7 @@ std::vector<SightingRows> linearize_sightings(const State& state, const Columns&
   const InverseDepthLandmark& landmark = state.landmarks[track.landmark];
   const Sparse<Matrix4X> Q = reference_columns(reference, model, local);
   const LandmarkRows Q_l = landmark_columns(reference.anchor, model, landmark.bearing_c);
+  const std::vector<int> global_Q = global_columns(Q.local, local.column());
   std::vector<SightingRows> all(track.sightings.size());
   for (std::size_t i = 1; i < all.size(); ++i) {
     const Sighting& s = track.sightings[i];
@@ -44,8 +45,7 @@ std::vector<SightingRows> linearize_sightings(const State& state, const Columns&
     seen->root = 1.0;
     const Sparse<Matrix2X> A = sighting_columns(camera, s, at, *seen, local);
     const Eigen::Matrix<double, 2, 4> q = seen->scale * seen->image.d_point;
-    add_columns(global_columns(A.local, local.column()), A.J, all[i]);
-    add_columns(global_columns(Q.local, local.column()), q * Q.J, all[i]);
+    set_columns(global_columns(A.local, local.column()), A.J, global_Q, q * Q.J, all[i]);
     all[i].J_landmark.leftCols(model.size()) = q * Q_l;
   }
   if (model.unknowns == LandmarkUnknowns::kInverseDepth) return all;
@@ -57,7 +57,8 @@ std::vector<SightingRows> linearize_sightings(const State& state, const Columns&
   all[0].J_landmark.leftCols<2>() = rows->scale * rows->image.d_point * plane_across(landmark.bearing_c);
   Sparse<Matrix2X> A;
   A.append(local.camera(track.sightings[0].camera).intrinsics, (rows->scale * rows->image.d_params).eval());
-  add_columns(global_columns(A.local, local.column()), A.J, all[0]);
+  all[0].column = global_columns(A.local, local.column());
+  all[0].J = A.J;
   return all;
 }
 
