@@ -72,7 +72,9 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
       const Eigen::VectorXd root = rows.weight.cwiseSqrt();
       const Eigen::MatrixXd J_t = (root.asDiagonal() * rows.J).transpose();
       local[m] = {rows.column, Eigen::MatrixXd::Zero(n, n), J_t * root.cwiseProduct(rows.r), rows.cost, rows.lost};
-      tiles::add_gram(J_t.data(), static_cast<int>(n), static_cast<int>(J_t.cols()), local[m].H.data());
+      const int size = static_cast<int>(n);
+      tiles::add_product({J_t.data(), size}, size, {J_t.data(), size}, size, static_cast<int>(J_t.cols()),
+                         {local[m].H.data(), size});
     }
   });
   for (const Local& l : local) H_.couple(l.column);

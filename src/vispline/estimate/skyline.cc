@@ -76,15 +76,29 @@ void Skyline::add(std::span<const int> columns, const Eigen::Ref<const Eigen::Ma
   }
 }
 
-void Skyline::add_symmetric(std::span<const int> rows, std::span<const int> columns,
-                            const Eigen::Ref<const Eigen::MatrixXd>& V) {
-  const std::vector<Run> row_runs = runs_of(rows), column_runs = runs_of(columns);
-  for (const Run& c : column_runs) {
-    for (const Run& r : row_runs) {
-      const auto part = V.block(r.local, c.local, r.size, c.size);
-      const bool below = r.global >= c.global + c.size, above = r.global + r.size <= c.global;
-      if (!above) block(r, c) += part;
-      if (!below) block(c, r) += part.transpose();
+void Skyline::add_product(const Run& rows, const Rows& A_t, const Run& columns, const Rows& B_t) {
+  const auto stride = [](const Rows& M) { return static_cast<int>(M.outerStride()); };
+  tiles::add_product({A_t.data() + rows.local, stride(A_t)}, rows.size, {B_t.data() + columns.local, stride(B_t)},
+                     columns.size, static_cast<int>(A_t.cols()), {corner(rows, columns), kTile});
+}
+
+void Skyline::add_rows(std::span<const int> columns, const Rows& J_t) {
+  const std::vector<Run> runs = runs_of(columns);
+  for (std::size_t b = 0; b < runs.size(); ++b) {
+    for (std::size_t a = b; a < runs.size(); ++a) {
+      const bool below = runs[a].global >= runs[b].global;
+      add_product(runs[below ? a : b], J_t, runs[below ? b : a], J_t);
+    }
+  }
+}
+
+void Skyline::add_products(std::span<const int> a, const Rows& A_t, std::span<const int> b, const Rows& B_t) {
+  const std::vector<Run> a_runs = runs_of(a), b_runs = runs_of(b);
+  for (const Run& run_b : b_runs) {
+    for (const Run& run_a : a_runs) {
+      const bool below = run_a.global >= run_b.global + run_b.size, above = run_a.global + run_a.size <= run_b.global;
+      if (!above) add_product(run_a, A_t, run_b, B_t);
+      if (!below) add_product(run_b, B_t, run_a, A_t);
     }
   }
 }

@@ -36,9 +36,11 @@ class Skyline {
   Skyline& operator+=(const Skyline& other);
   /// Adds H, of which the lower triangle counts, at the given rows and columns.
   void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& H);
-  /// Adds V at (rows, columns) and its transpose at (columns, rows).
-  void add_symmetric(std::span<const int> rows, std::span<const int> columns,
-                     const Eigen::Ref<const Eigen::MatrixXd>& V);
+  using Rows = Eigen::Ref<const Eigen::MatrixXd>;  ///< transposed: as many rows as columns of the system
+  /// Adds J^T J.
+  void add_rows(std::span<const int> columns, const Rows& J_t);
+  /// Adds A^T B at (a, b) and its transpose at (b, a).
+  void add_products(std::span<const int> a, const Rows& A_t, std::span<const int> b, const Rows& B_t);
   Eigen::VectorXd diagonal() const;
   void add_to_diagonal(const Eigen::VectorXd& d);
 
@@ -63,6 +65,12 @@ class Skyline {
     return tile(rows.global / kTile, columns.global / kTile)
         .block(rows.global % kTile, columns.global % kTile, rows.size, columns.size);
   }
+  /// The part of a tile where two runs meet, as its first entry.
+  double* corner(const Run& rows, const Run& columns) {
+    return data(rows.global / kTile, columns.global / kTile) + (columns.global % kTile) * kTile + rows.global % kTile;
+  }
+  /// Adds A^T B where two runs meet.
+  void add_product(const Run& rows, const Rows& A_t, const Run& columns, const Rows& B_t);
   std::size_t offset(int row, int column) const {
     return (begin_[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column - first(row))) * kTile * kTile;
   }

@@ -51,6 +51,49 @@ TEST(Skyline, SolvesAsTheFullMatrixDoes) {
   EXPECT_LT((e.dense * x - b).norm(), 1e-9 * b.norm());
 }
 
+Eigen::MatrixXd lower_of(const Skyline& skyline) {
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(skyline.size(), skyline.size());
+  constexpr int kTile = Skyline::kTile;
+  for (int r = 0; r < skyline.size(); ++r) {
+    for (int c = skyline.first(r / kTile) * kTile; c <= r; ++c) {
+      H(r, c) = skyline.tile(r / kTile, c / kTile)(r % kTile, c % kTile);
+    }
+  }
+  return H;
+}
+
+/// Columns in runs of many lengths, out of order, shared by both factors.
+TEST(Skyline, ProductsOfRows) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  std::vector<int> a, b;
+  for (int c = 100; c < 149; ++c) a.push_back(c);
+  for (const int c : {3, 4, 5, 160, 7}) a.push_back(c);
+  for (int c = 90; c < 111; ++c) b.push_back(c);
+  b.push_back(2);
+  b.push_back(160);
+  std::vector<int> all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  Skyline skyline(161);
+  skyline.couple(all);
+  skyline.allocate();
+  const auto matrix = [&](std::size_t rows, int columns) {
+    return Eigen::MatrixXd(
+        Eigen::MatrixXd::NullaryExpr(static_cast<Eigen::Index>(rows), columns, [&] { return normal(random); }));
+  };
+  const Eigen::MatrixXd A_t = matrix(a.size(), 3), B_t = matrix(b.size(), 3), J_t = matrix(a.size(), 2);
+  skyline.add_products(a, A_t, b, B_t);
+  skyline.add_rows(a, J_t);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3, 161), B = A, J = Eigen::MatrixXd::Zero(2, 161);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    A.col(a[i]) = A_t.row(static_cast<Eigen::Index>(i));
+    J.col(a[i]) = J_t.row(static_cast<Eigen::Index>(i));
+  }
+  for (std::size_t i = 0; i < b.size(); ++i) B.col(b[i]) = B_t.row(static_cast<Eigen::Index>(i));
+  const Eigen::MatrixXd expected = A.transpose() * B + B.transpose() * A + J.transpose() * J;
+  EXPECT_LT((lower_of(skyline) - Eigen::MatrixXd(expected.triangularView<Eigen::Lower>())).norm(), 1e-12);
+}
+
 TEST(Skyline, CovarianceOfTheLastUnknowns) {
   Example e;
   const Eigen::MatrixXd inverse = e.dense.llt().solve(Eigen::MatrixXd::Identity(Example::kSize, Example::kSize));

@@ -13,7 +13,14 @@ void subtract_product(const double* A, const double* B, double* C);
 /// X = X L^-T of tiles, L lower triangular.
 void solve_transposed(const double* L, double* X);
 
-/// C += A A^T, A of n x m.
-void add_gram(const double* A, int n, int m, double* C);
+/// Columns of doubles, `stride` apart.
+template <class Double>
+struct Columns {
+  Double* data;
+  int stride;
+};
+
+/// C += A B^T for A of rows x depth, B of columns x depth.
+void add_product(Columns<const double> A, int rows, Columns<const double> B, int columns, int depth, Columns<double> C);
 
 }  // namespace vispline::tiles

@@ -53,9 +53,7 @@ class TrackLinearizer {
   void add(const Sparse<Matrix2X>& A, const Vector2d& r) {
     A_t_ = A.J.transpose();
     global_ = global_columns(A.local, block_.column);
-    H_.setZero(A_t_.rows(), A_t_.rows());
-    tiles::add_gram(A_t_.data(), static_cast<int>(A_t_.rows()), 2, H_.data());
-    system_.add(global_, H_);
+    system_.add_rows(global_, A_t_);
     add_to(global_, A_t_ * r, gradient_);
   }
 
@@ -83,8 +81,8 @@ class TrackLinearizer {
     const std::vector<int> global = global_columns(Q.local, block_.column);
     system_.add(global, Q.J.transpose() * S_ * Q.J);
     add_to(global, Q.J.transpose() * s_, gradient_);
-    const Eigen::MatrixXd C_t = C_.transpose();
-    system_.add_symmetric(block_.column, global, C_t.lazyProduct(Q.J));
+    const Eigen::MatrixXd C_t = C_.transpose(), Q_t = Q.J.transpose();
+    system_.add_products(block_.column, C_t, global, Q_t);
     const Eigen::MatrixXd W = Q_l.transpose() * S_ * Q.J;
     for (std::size_t i = 0; i < Q.local.size(); ++i) {
       block_.W.col(Q.local[i]) += W.col(static_cast<Eigen::Index>(i));
@@ -143,9 +141,8 @@ class TrackLinearizer {
   Eigen::Index n_;
   TrackBlock block_;
   Eigen::Matrix<double, 4, Eigen::Dynamic> C_;
-  std::vector<int> global_;  ///< with A_t_ and H_, room for the products of rows
+  std::vector<int> global_;  ///< with A_t_, room for rows
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostColumns, 2> A_t_;
-  Eigen::MatrixXd H_;
   Eigen::Matrix4d S_ = Eigen::Matrix4d::Zero();
   Eigen::Vector4d s_ = Eigen::Vector4d::Zero();
 };
