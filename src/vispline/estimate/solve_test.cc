@@ -42,7 +42,9 @@ TEST(Solve, CostNeverRisesOnAcceptedSteps) {
   disturb(calibration.problem);
   const Solution solution = solve(calibration.problem, {});
   for (const IterationRow& row : solution.iterations) {
-    if (row.accepted) EXPECT_GT(row.decrease, 0.0) << row.iteration;
+    if (row.accepted) {
+      EXPECT_GT(row.decrease, 0.0) << row.iteration;
+    }
   }
   EXPECT_LT(solution.cost, 0.1 * solution.first_cost);
 }
