@@ -10,6 +10,7 @@
 #include "flags.h"
 #include "validators.h"
 #include "verbs.h"
+#include "vispline/bags/open_bag.h"
 #include "vispline/calibration/imu_utils_explanation.h"
 #include "vispline/core/parallel.h"
 #include "vispline/results/allan_documents.h"
@@ -23,7 +24,7 @@ struct AllanFlags {
   Session session;
   ReadFlags read;
   ImuFlags imu;
-  std::string file, topic, data = "imu", out, explain, memory = "auto";
+  std::string file, data = "imu", out, explain, memory = "auto";
   std::string taus = "log";
   std::vector<std::string> deviations{"oadev"}, dialects;
   bool self_test = false;
@@ -50,9 +51,13 @@ AllanOptions analysis_options(const AllanFlags& flags) {
   return options;
 }
 
+/// The name that the parameter files get; of a recording also the topic that is read.
+std::string topic_of(const AllanFlags& flags) { return flags.read.topic.empty() ? "" : flags.read.topic.front(); }
+
 AllanResult analyze(AllanFlags& flags) {
   const AllanOptions options = analysis_options(flags);
   ReadOptions read = flags.read.options(0, flags.session);
+  if (!is_bag(flags.file) && !std::filesystem::is_directory(flags.file)) read.topic.clear();
   if (flags.data == "imu") return analyze_imu(flags.file, read, options, flags.session);
   const double rate_hz = std::exchange(read.rate_hz, 0.0);
   require(rate_hz > 0.0, "--rate, in Hz, with --data frequency or phase");
@@ -108,7 +113,7 @@ void run_file(AllanFlags& flags) {
   std::vector<std::string> next;
   if (!flags.out.empty()) {
     const std::string title = std::filesystem::path(flags.file).filename().string();
-    next = write_allan(flags.out, result, flags.dialects, flags.topic, title, flags.session);
+    next = write_allan(flags.out, result, flags.dialects, topic_of(flags), title, flags.session);
   }
   std::cout << (flags.session.json ? allan_json(result, flags.session.context) : allan_text(result));
   if (!flags.out.empty()) std::cerr << "report: " << flags.out << "/report.html\n";
@@ -129,7 +134,6 @@ void add_allan(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("allan", "noise of a still IMU (or any series) by Allan deviation and likelihood");
   verb->add_option("file", flags->file, "a still recording, or a column of numbers with --data");
-  verb->add_option("--topic", flags->topic, "the topic of the IMU; also written into the parameter files");
   verb->add_option("--data", flags->data, "imu; frequency or phase: one column of numbers at --rate")
       ->check(CLI::IsMember({"imu", "frequency", "phase"}));
   verb->add_option("--deviation", flags->deviations, "oadev, adev, mdev, tdev, hdev, ohdev, totdev")->delimiter(',');
