@@ -51,13 +51,16 @@ AllanOptions analysis_options(const AllanFlags& flags) {
   return options;
 }
 
-/// The name that the parameter files get; of a recording also the topic that is read.
-std::string topic_of(const AllanFlags& flags) { return flags.read.topic.empty() ? "" : flags.read.topic.front(); }
+/// A single table has no topics: there --topic only names the sensor in the parameter files.
+void drop_topic_of_table(ReadOptions& read, const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error) && !is_bag(path)) read.topic.clear();
+}
 
 AllanResult analyze(AllanFlags& flags) {
   const AllanOptions options = analysis_options(flags);
   ReadOptions read = flags.read.options(0, flags.session);
-  if (!is_bag(flags.file) && !std::filesystem::is_directory(flags.file)) read.topic.clear();
+  drop_topic_of_table(read, flags.file);
   if (flags.data == "imu") return analyze_imu(flags.file, read, options, flags.session);
   const double rate_hz = std::exchange(read.rate_hz, 0.0);
   require(rate_hz > 0.0, "--rate, in Hz, with --data frequency or phase");
@@ -113,7 +116,8 @@ void run_file(AllanFlags& flags) {
   std::vector<std::string> next;
   if (!flags.out.empty()) {
     const std::string title = std::filesystem::path(flags.file).filename().string();
-    next = write_allan(flags.out, result, flags.dialects, topic_of(flags), title, flags.session);
+    const std::string topic = flags.read.topic.empty() ? "" : flags.read.topic.front();
+    next = write_allan(flags.out, result, flags.dialects, topic, title, flags.session);
   }
   std::cout << (flags.session.json ? allan_json(result, flags.session.context) : allan_text(result));
   if (!flags.out.empty()) std::cerr << "report: " << flags.out << "/report.html\n";

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "vispline/report/allan_section.h"
 #include "vispline/report/integration_section.h"
 
 namespace vispline::cli {
@@ -111,9 +112,11 @@ Section noise_section(const DemoResult& demo) {
 
 }  // namespace
 
-report::Page demo_page(const DemoResult& demo, const report::Provenance& provenance) {
+report::Page demo_page(const DemoResult& demo, const DemoLoop& loop, const report::Provenance& provenance) {
   Page page{.title = "vispline demo",
-            .subtitle = "A known motion, a simulated IMU, and dead reckoning by every rule beside the truth",
+            .subtitle =
+                "A phone is simulated, its noise identified, its rig calibrated from a poor start, and dead "
+                "reckoning done by every rule: the truth stands beside every number",
             .provenance = provenance};
   Cards cards;
   for (const IntegrationRow& row : demo.exact_rows) {
@@ -124,7 +127,14 @@ report::Page demo_page(const DemoResult& demo, const report::Provenance& provena
   }
   cards.cards.push_back(
       {demo.noisy.back().error_m.back(), "m", "final error of " + demo.noisy.back().method + " with noise"});
-  page.sections.push_back({"In short", {cards}});
+  for (report::Section& section : calibration_sections(loop.calibration, loop.course)) {
+    page.sections.push_back(std::move(section));
+  }
+  for (report::Section& section : allan_sections(loop.noise)) {
+    section.heading = "At rest: " + section.heading;
+    page.sections.push_back(std::move(section));
+  }
+  page.sections.push_back({"Dead reckoning in short", {cards}});
   page.sections.push_back(motion_section(demo));
   page.sections.push_back(imu_section(demo));
   page.sections.push_back(noise_section(demo));

@@ -1,8 +1,9 @@
-/// The pages of the demo's report: motion, instrument, what integration costs.
+/// The pages of the demo's report: calibration of a phone, its noise, motion, instrument, what integration costs.
 #pragma once
 
 #include <vector>
 
+#include "demo_loop.h"
 #include "vispline/report/html_page.h"
 #include "vispline/results/dead_reckoning_error.h"
 #include "vispline/simulate/imu_simulation.h"
@@ -23,6 +24,6 @@ struct DemoResult {
   std::vector<ErrorCurve> exact{}, noisy{};  ///< at simulation.imu.rate_hz
 };
 
-report::Page demo_page(const DemoResult& demo, const report::Provenance& provenance);
+report::Page demo_page(const DemoResult& demo, const DemoLoop& loop, const report::Provenance& provenance);
 
 }  // namespace vispline::cli

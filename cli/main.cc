@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "console.h"
+#include "exit_with.h"
 #include "verbs.h"
 
 namespace {
@@ -29,6 +30,8 @@ int run(int argc, char** argv) {
   vispline::cli::add_integrate(app);
   vispline::cli::add_allan(app);
   vispline::cli::add_evaluate(app);
+  vispline::cli::add_calibrate(app);
+  vispline::cli::add_estimate(app);
   vispline::cli::add_export(app);
   vispline::cli::add_info(app);
   vispline::cli::add_convert(app);
@@ -75,6 +78,9 @@ int main(int argc, char** argv) {
   } catch (const vispline::Error& error) {
     std::cerr << error.what() << '\n';
     return static_cast<int>(error.exit_code());
+  } catch (const vispline::cli::ExitWith& exit) {
+    check_stdout();
+    return exit.code;
   } catch (const vispline::cli::Interrupted& interrupted) {
     std::cerr << "error[E-INTERRUPTED]: stopped by signal " << interrupted.signal << "\n  effect: nothing written\n";
     return 128 + interrupted.signal;

@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "flags.h"
+#include "rig_flags.h"
 #include "simulate_output.h"
+#include "simulate_rig.h"
 #include "validators.h"
 #include "verbs.h"
 #include "vispline/results/table.h"
@@ -16,6 +18,7 @@ struct SimulateFlags {
   ReadFlags read;
   TrajectoryFlags trajectory;
   ImuFlags imu;
+  RigFlags rig;
   double rate_hz = 200.0;
   std::size_t imus = 1;
   std::string like, format = "auto", out, truth;
@@ -107,7 +110,8 @@ void run(SimulateFlags& flags) {
 
 void add_simulate(CLI::App& app) {
   auto flags = std::make_shared<SimulateFlags>();
-  CLI::App* verb = app.add_subcommand("simulate", "IMU recordings from a formula or from any file of poses");
+  CLI::App* verb =
+      app.add_subcommand("simulate", "recordings of an IMU or a whole rig, from a formula or from any file of poses");
   flags->trajectory.add_to(*verb);
   CLI::Option* rate =
       verb->add_option("--imu-rate", flags->rate_hz, "[Hz]")->check(positive(kMaxRate_hz))->capture_default_str();
@@ -124,7 +128,13 @@ void add_simulate(CLI::App& app) {
   flags->imu.add_to(*verb);
   flags->read.add_to(*verb);
   add_session_flags(*verb, flags->session);
-  verb->callback([flags] { run(*flags); });
+  flags->rig.add_to(*verb);
+  verb->callback([flags, verb] {
+    if (!flags->rig.is_given()) return run(*flags);
+    refuse_imu_flags(*verb);
+    simulate_rig({flags->rig, flags->read, flags->trajectory, flags->imu.seed, flags->imu.threads, flags->out},
+                 flags->session);
+  });
 }
 
 }  // namespace vispline::cli

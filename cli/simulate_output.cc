@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "console.h"
-#include "vispline/integrate/dead_reckon.h"
+#include "course_output.h"
 #include "vispline/io/course_files.h"
 #include "vispline/io/write.h"
 
@@ -12,7 +12,6 @@ namespace {
 
 const std::string kEurocTruth = "/mav0/state_groundtruth_estimate0/data.csv";
 constexpr double kCourseCameraRate_hz = 30.0;
-constexpr const char* kCourseRule = "euler_course";
 
 std::string euroc_imu(const std::string& out, const std::string& imu) { return out + "/mav0/" + imu + "/data.csv"; }
 
@@ -64,47 +63,19 @@ void write_euroc(const SimulationTask& task) {
   write_groundtruth_euroc(task.out + kEurocTruth, truth, task.output);
 }
 
-/// Dead reckoning as the course does it, from the second sample on.
-Signal<Pose> course_integration(const SimulatedImu& samples, const ImuSignal& imu, const Vector3d& g_w) {
-  Signal<Pose> integrated = poses(dead_reckon(imu, nav_state(samples.body.value.front()), kCourseRule, g_w));
-  integrated.time.erase(integrated.time.begin());
-  integrated.value.erase(integrated.value.begin());
-  return integrated;
-}
-
-std::vector<CourseCameraRow> course_camera(const SimulationTask& task) {
+void write_course_folder(const SimulationTask& task) {
   const Time begin = task.stamps[0];
   const Duration length = task.stamps[task.stamps.size() - 1] - begin + from_seconds(task.stamps.period());
-  const Stamps stamps({begin, kCourseCameraRate_hz}, length);
-  std::vector<CourseCameraRow> rows;
-  const ImuSimulation& imu = task.imus[0];
-  for (std::size_t i = 0; i < stamps.size(); ++i) {
-    const auto state = task.trajectory.at(stamps[i]);
-    if (!state) break;
-    rows.push_back({stamps[i],
-                    state->T_w_b() * course_T_b_c(),
-                    {Gyroscope::predict(*state, imu.imu.gyroscope, imu.g_w),
-                     Accelerometer::predict(*state, imu.imu.accelerometer, imu.g_w)}});
-  }
-  return rows;
-}
-
-void write_course(const SimulationTask& task) {
-  const ImuSimulation& imu = task.imus[0];
-  const SimulatedImu samples = simulate_imu(task.trajectory, imu, task.stamps);
-  CourseRecording recording;
-  ImuSignal exact{samples.measured.time, samples.exact};
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    recording.imu.push_back({exact.time[i], samples.body.value[i], samples.exact[i], samples.measured.value[i],
-                             samples.bias[i].gyro, samples.bias[i].accel});
-  }
-  recording.integrated_exact = course_integration(samples, exact, imu.g_w);
-  recording.integrated_noisy = course_integration(samples, samples.measured, imu.g_w);
-  recording.camera = course_camera(task);
-  recording.notes = "imu_int_pose.txt is dead reckoning by the rule " + std::string(kCourseRule) +
-                    ".\nSeed of the noise: " + std::to_string(imu.seed) + ".\n";
-  const OutputGuard guard;
-  write_course_files(task.out, recording, task.output);
+  const Stamps images({begin, kCourseCameraRate_hz}, length);
+  std::vector<Time> times;
+  for (std::size_t i = 0; i < images.size(); ++i) times.push_back(images[i]);
+  cli::write_course({.trajectory = task.trajectory,
+                     .imu = task.imus[0],
+                     .stamps = task.stamps,
+                     .images = times,
+                     .T_b_c = course_T_b_c(),
+                     .folder = task.out},
+                    task.output);
 }
 
 }  // namespace
@@ -127,7 +98,7 @@ void probe_simulation(const SimulationNames& names, const OutputOptions& options
 void write_simulation(const SimulationTask& task, const std::string& format) {
   if (format == "csv") return write_csv(task);
   if (format == "euroc") return write_euroc(task);
-  write_course(task);
+  write_course_folder(task);
 }
 
 }  // namespace vispline::cli

@@ -10,6 +10,8 @@ void add_integrate(CLI::App& app);
 void add_allan(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_export(CLI::App& app);
+void add_calibrate(CLI::App& app);
+void add_estimate(CLI::App& app);
 void add_info(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_demo(CLI::App& app);

@@ -104,7 +104,7 @@ TEST(CliInput, Files) {  // rows 1, 2, 3
   check_imu({
       {"empty", "", "E-EMPTY", 3, 0, 0},
       {"only a header", good.substr(0, good.find('\n') + 1), "E-EMPTY", 3, 0, 0},
-      {"a bag", "#ROSBAG V2.0\n", "E-FORMAT", 3, 0, 0},
+      {"a bag without messages", "#ROSBAG V2.0\n", "E-TOPIC", 4, 0, 0},
       {"UTF-16", "\xff\xfet\0,\0"s, "E-FORMAT", 3, 0, 0},
       {"cut gzip", "\x1f\x8b\x08\0\0\0\0\0\0\3abc"s, "E-CORRUPT", 3, 0, 0},
   });

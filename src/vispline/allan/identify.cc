@@ -1,6 +1,7 @@
 #include "vispline/allan/identify.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -10,13 +11,16 @@
 namespace vispline {
 namespace {
 
+constexpr std::size_t kFlicker = static_cast<std::size_t>(Term::kFlicker);
 constexpr std::size_t kRamp = static_cast<std::size_t>(Term::kRamp);
 constexpr double kFirstCount = 2000.0;   ///< of an octave in the first fit: every octave has a say
 constexpr double kBelievedMisfit = 9.0;  ///< chi-square of an octave up to which it keeps its full weight
 constexpr double kReportedMisfit = 0.10;
-constexpr double kOneSided95 = 2.706, kTwoSided68 = 1.0, kTwoSided95 = 3.841;
-/// Expected loss of twice the log-likelihood at which a term is found nine times out of ten: (sqrt(6.63) + 1.28)^2.
-constexpr double kSurelyFound = 14.9;
+constexpr double kTwoSided68 = 1.0, kTwoSided95 = 3.841;
+/// Twice the log-likelihood by which flicker, or a ramp, has to be better than a random walk to be named instead.
+constexpr double kFlickerHandicap = 4.0, kRampHandicap = 8.0;
+/// Expected loss of twice the log-likelihood at which a term is found nine times out of ten: (sqrt(15.14) + 1.28)^2.
+constexpr double kSurelyFound = 26.7;
 constexpr double kLongestFactor = 1e4;
 
 int octave_of(const SpectralCell& cell, double rate_hz) {
@@ -25,13 +29,16 @@ int octave_of(const SpectralCell& cell, double rate_hz) {
 
 struct Octave {
   double count = 0.0, ratio = 0.0;
+  std::vector<std::size_t> cells;
 };
 
 /// Measured over fitted power of each octave of frequency.
 std::map<int, Octave> octaves(const SpectralFit& fit, const SpectralModel& model, double rate_hz) {
   std::map<int, Octave> found;
-  for (const SpectralCell& cell : fit.cells()) {
+  for (std::size_t c = 0; c < fit.cells().size(); ++c) {
+    const SpectralCell& cell = fit.cells()[c];
     Octave& octave = found[octave_of(cell, rate_hz)];
+    octave.cells.push_back(c);
     octave.count += cell.count;
     octave.ratio += cell.count * SpectralFit::residual_power(cell, model) / SpectralFit::variance(cell, model);
   }
@@ -41,12 +48,15 @@ std::map<int, Octave> octaves(const SpectralFit& fit, const SpectralModel& model
 
 /// docs/math/allan.md (22): an octave that the terms miss is believed as far as it agrees with them.
 void reweight(SpectralFit& fit, const SpectralModel& model, double rate_hz) {
-  const auto found = octaves(fit, model, rate_hz);
-  for (std::size_t c = 0; c < fit.cells().size(); ++c) {
-    const Octave& octave = found.at(octave_of(fit.cells()[c], rate_hz));
-    const double chi_square = 0.5 * octave.count * (octave.ratio - 1.0) * (octave.ratio - 1.0);
-    fit.weights()[c] = std::min(1.0, kBelievedMisfit / std::max(chi_square, 1e-12));
+  std::vector<double> weights(fit.cells().size());
+  for (const auto& [number, octave] : octaves(fit, model, rate_hz)) {
+    const double variance = 2.0 / octave.count + fit.log_power_variance(octave.cells, model);
+    const double chi_square = (octave.ratio - 1.0) * (octave.ratio - 1.0) / variance;
+    for (const std::size_t c : octave.cells) {
+      weights[c] = std::min(1.0, kBelievedMisfit / std::max(chi_square, 1e-12));
+    }
   }
+  fit.weights() = std::move(weights);
 }
 
 FittedModel robust_fit(SpectralFit& fit, const TermMask& all, double rate_hz) {
@@ -63,44 +73,24 @@ FittedModel robust_fit(SpectralFit& fit, const TermMask& all, double rate_hz) {
   return fitted;
 }
 
-/// Drops, one at a time, the term that matters least, while it matters less than its threshold.
-FittedModel select(const SpectralFit& fit, TermMask& mask, FittedModel fitted) {
-  while (std::count(mask.begin(), mask.end(), true) > 1) {
-    std::size_t weakest = kTerms;
-    double smallest = 1.0;
-    FittedModel without_weakest;
-    for (std::size_t i = 0; i < kTerms; ++i) {
-      if (!mask[i]) continue;
-      TermMask less = mask;
-      less[i] = false;
-      if (std::none_of(less.begin(), less.begin() + kVariances, [](bool on) { return on; })) continue;
-      const FittedModel without = fit.maximise(less, std::nullopt, &fitted.model);
-      const double relative = 2.0 * (fitted.log_likelihood - without.log_likelihood) / kSignificance;
-      if (relative >= smallest) continue;
-      smallest = relative;
-      weakest = i;
-      without_weakest = without;
-    }
-    if (weakest == kTerms) break;
-    mask[weakest] = false;
-    fitted = without_weakest;
+/// The terms with the largest likelihood after each has paid its threshold; flicker and a ramp pay more than a walk,
+/// which bends a short curve much the same and is what an estimator has to be told. docs/math/allan.md (23)
+FittedModel select(const SpectralFit& fit, TermMask& mask, const FittedModel& all) {
+  FittedModel best = all;
+  double best_score = -HUGE_VAL;
+  for (unsigned subset = 1; subset < 1u << kTerms; ++subset) {
+    TermMask terms{};
+    for (std::size_t i = 0; i < kTerms; ++i) terms[i] = (subset >> i & 1u) != 0;
+    if (std::none_of(terms.begin(), terms.begin() + kVariances, [](bool on) { return on; })) continue;
+    const FittedModel fitted = fit.maximise(terms);
+    const double score = 2.0 * fitted.log_likelihood - kSignificance * static_cast<double>(std::popcount(subset)) -
+                         (terms[kFlicker] ? kFlickerHandicap : 0.0) - (terms[kRamp] ? kRampHandicap : 0.0);
+    if (!(score > best_score)) continue;
+    best_score = score;
+    best = fitted;
+    mask = terms;
   }
-  return fitted;
-}
-
-/// Flicker and ramps bend a curve much as a random walk does. Where they were kept and a walk instead describes the
-/// record about as well, the walk is kept: it is what an estimator has to be told.
-FittedModel prefer_walk(const SpectralFit& fit, TermMask& mask, FittedModel fitted) {
-  const auto flicker = static_cast<std::size_t>(Term::kFlicker), walk = static_cast<std::size_t>(Term::kRandomWalk);
-  if (mask[walk] || !(mask[flicker] || mask[kRamp])) return fitted;
-  TermMask swapped = mask;
-  swapped[walk] = true;
-  swapped[flicker] = swapped[kRamp] = false;
-  const double dropped = static_cast<double>(mask[flicker]) + static_cast<double>(mask[kRamp]);
-  const FittedModel other = fit.maximise(swapped);
-  if (2.0 * (fitted.log_likelihood - other.log_likelihood) >= dropped * kSignificance) return fitted;
-  mask = swapped;
-  return other;
+  return best;
 }
 
 /// Where twice the log-likelihood has fallen by `loss` from its top, searched from `from` by growing steps towards
@@ -127,14 +117,20 @@ double coefficient(const SpectralModel& model, std::size_t term) {
   return term == kRamp ? std::abs(model.ramp) : std::sqrt(model.power[term]);
 }
 
-/// What the data lose when the coefficient of `term` is c (with the sign of the fitted ramp).
+/// What the data lose when the coefficient of `term` is c (with the sign of the fitted ramp), as the square of a
+/// standard normal number: the signed root of the loss of twice the log-likelihood, with its mean taken off.
+/// docs/math/allan.md (24)
 std::function<double(double)> profile(const SpectralFit& fit, TermMask mask, std::size_t term,
                                       const FittedModel& best) {
   mask[term] = true;
   return [&fit, mask, term, best](double c) {
     const double held = term == kRamp ? std::copysign(c, best.model.ramp) : c * c;
     const FittedModel at = fit.maximise(mask, SpectralFit::Held{static_cast<Term>(term), held}, &best.model);
-    return 2.0 * (best.log_likelihood - at.log_likelihood);
+    const double root = std::sqrt(std::max(0.0, 2.0 * (best.log_likelihood - at.log_likelihood)));
+    const double shift = fit.score_skewness(static_cast<Term>(term), mask, at.model) / 6.0;
+    const double above = c > coefficient(best.model, term) ? -1.0 : 1.0;
+    const double normal = std::max(0.0, root + above * shift);
+    return normal * normal;
   };
 }
 
@@ -191,7 +187,8 @@ double expected_significance(double rate_hz, double duration_s, const TermMask& 
   return 2.0 * (full - fit.maximise(without, std::nullopt, &start).log_likelihood);
 }
 
-/// Length of a record that would find a coefficient half as large as the bound.
+/// Length of a record that would find a coefficient half as large as the bound; none if this record would have, so that
+/// only the terms that look like it make the bound so wide.
 std::optional<double> record_needed(double rate_hz, double duration_s, const TermMask& mask, std::size_t term,
                                     SpectralModel truth, double bound) {
   if (term == kRamp) return std::nullopt;
@@ -202,7 +199,7 @@ std::optional<double> record_needed(double rate_hz, double duration_s, const Ter
     longer *= 1.25;
     if (longer > kLongestFactor * duration_s) return std::nullopt;
   }
-  return longer;
+  return longer > duration_s ? std::optional(longer) : std::nullopt;
 }
 
 /// The terms with `term` in the place of those that look like it in a short record; empty if there are none.
@@ -213,7 +210,7 @@ std::optional<TermMask> without_look_alikes(TermMask mask, std::size_t term) {
     any = any || (mask[i] && i != term);
     mask[i] = i == term;
   }
-  const bool is_one = term >= static_cast<std::size_t>(Term::kFlicker) && term < kRamp;
+  const bool is_one = term >= kFlicker && term < kRamp;
   return any && is_one ? std::optional(mask) : std::nullopt;
 }
 
@@ -227,11 +224,11 @@ TermEstimate bounded_term(const SpectralFit& fit, const TermMask& mask, std::siz
   const FittedModel& top = with.log_likelihood > best.log_likelihood ? with : best;
   const double start = std::max(tiny_coefficient(fit, term, best.model), coefficient(top.model, term));
   if (start <= 0.0) return estimate;
-  double bound = profile_edge(profile(fit, mask, term, top), start, 1.5, kOneSided95);
+  double bound = profile_edge(profile(fit, mask, term, top), start, 1.5, kTwoSided95);
   if (const auto alone = without_look_alikes(mask, term)) {
     const FittedModel other = fit.maximise(*alone);
     const double from = std::max(start, coefficient(other.model, term));
-    bound = std::max(bound, profile_edge(profile(fit, *alone, term, other), from, 1.5, kOneSided95));
+    bound = std::max(bound, profile_edge(profile(fit, *alone, term, other), from, 1.5, kTwoSided95));
   }
   estimate.upper_bound = bound;
   estimate.record_needed_s = record_needed(rate_hz, duration_s, mask, term, best.model, bound);
@@ -260,7 +257,7 @@ Identification identify(std::span<const SpectralCell> all_cells, double rate_hz,
   SpectralFit fit(cells);
   TermMask mask{true, true, true, true, true};
   FittedModel fitted = robust_fit(fit, mask, rate_hz);
-  fitted = prefer_walk(fit, mask, select(fit, mask, fitted));
+  fitted = select(fit, mask, fitted);
   for (std::size_t i = 0; i < kTerms; ++i) {
     result.terms.term[i] =
         mask[i] ? resolved_term(fit, mask, i, fitted) : bounded_term(fit, mask, i, fitted, rate_hz, duration_s);

@@ -49,7 +49,7 @@ struct TermEstimate {
   double value = 0.0;  ///< 0 if not resolved
   double low_68 = 0.0, high_68 = 0.0;
   double low_95 = 0.0, high_95 = 0.0;
-  std::optional<double> upper_bound;  ///< one-sided, 95 %
+  std::optional<double> upper_bound;  ///< upper end of the 95 % interval that starts at 0
   std::optional<double> record_needed_s;
   double significance = 0.0;  ///< twice the log-likelihood lost without the term
 };

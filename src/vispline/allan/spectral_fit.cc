@@ -12,9 +12,6 @@ constexpr int kMaxSteps = 60;
 constexpr double kTolerance = 1e-4;  ///< of the log-likelihood; intervals look at differences of 0.5 and more
 constexpr std::size_t kRamp = static_cast<std::size_t>(Term::kRamp);
 
-using Vector4 = Eigen::Matrix<double, kVariances, 1>;
-using Matrix4 = Eigen::Matrix<double, kVariances, kVariances>;
-
 }  // namespace
 
 SpectralFit::SpectralFit(std::span<const SpectralCell> cells) : cells_(cells), weights_(cells.size(), 1.0) {}
@@ -39,6 +36,68 @@ double SpectralFit::log_likelihood(const SpectralModel& model) const {
     sum -= 0.5 * weights_[c] * cells_[c].count * (std::log(v) + residual_power(cells_[c], model) / v);
   }
   return sum;
+}
+
+SpectralFit::Score SpectralFit::score(const SpectralModel& model) const {
+  Score sum{Vector::Zero(), Matrix::Zero()};
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const double v = variance(cells_[c], model);
+    const double n = 0.5 * weights_[c] * cells_[c].count;
+    const double excess = residual_power(cells_[c], model) / v - 1.0;
+    const Vector shape = Eigen::Map<const Vector>(cells_[c].expected.data()) / v;
+    sum.gradient += n * excess * shape;
+    sum.information += n * shape * shape.transpose();
+  }
+  return sum;
+}
+
+double SpectralFit::log_power_variance(std::span<const std::size_t> of_cells, const SpectralModel& model) const {
+  Vector shape = Vector::Zero();
+  double count = 0.0;
+  for (const std::size_t c : of_cells) {
+    shape += cells_[c].count / variance(cells_[c], model) * Eigen::Map<const Vector>(cells_[c].expected.data());
+    count += cells_[c].count;
+  }
+  shape /= count;
+  Matrix information = score(model).information;
+  for (Eigen::Index i = 0; i < information.rows(); ++i) {
+    if (model.power[static_cast<std::size_t>(i)] > 0.0) continue;
+    information.row(i).setZero();
+    information.col(i).setZero();
+    information(i, i) = 1.0;
+    shape(i) = 0.0;
+  }
+  const Vector scale = information.diagonal().cwiseSqrt().cwiseInverse();
+  const Matrix scaled = scale.asDiagonal() * information * scale.asDiagonal();
+  const Vector along = scale.cwiseProduct(shape);
+  return along.dot(scaled.ldlt().solve(along));
+}
+
+double SpectralFit::score_skewness(Term term, const TermMask& mask, const SpectralModel& model) const {
+  const auto own = static_cast<Eigen::Index>(term);
+  if (own >= static_cast<Eigen::Index>(kVariances)) return 0.0;
+  Matrix others = score(model).information;
+  Vector shared = others.col(own);
+  for (Eigen::Index i = 0; i < others.rows(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (i != own && mask[k] && model.power[k] > 0.0) continue;
+    others.row(i).setZero();
+    others.col(i).setZero();
+    others(i, i) = 1.0;
+    shared(i) = 0.0;
+  }
+  const Vector scale = others.diagonal().cwiseSqrt().cwiseInverse();
+  const Matrix scaled = scale.asDiagonal() * others * scale.asDiagonal();
+  Vector direction = -scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(shared)));
+  direction(own) = 1.0;
+  double second = 0.0, third = 0.0;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const double n = weights_[c] * cells_[c].count;
+    const double s = direction.dot(Eigen::Map<const Vector>(cells_[c].expected.data())) / variance(cells_[c], model);
+    second += 0.5 * n * s * s;
+    third += n * s * s * s;
+  }
+  return second > 0.0 ? third / (second * std::sqrt(second)) : 0.0;
 }
 
 double SpectralFit::best_ramp(const SpectralModel& model) const {
@@ -99,25 +158,16 @@ FittedModel SpectralFit::maximise(const TermMask& mask, std::optional<Held> held
       best = log_likelihood(model);
     }
     // Fisher scoring in the powers; a power at zero stays there while its gradient points outwards.
-    Vector4 gradient = Vector4::Zero();
-    Matrix4 information = Matrix4::Zero();
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-      const double v = variance(cells_[c], model);
-      const double n = 0.5 * weights_[c] * cells_[c].count;
-      const double excess = residual_power(cells_[c], model) / v - 1.0;
-      const Vector4 shape = Eigen::Map<const Vector4>(cells_[c].expected.data()) / v;
-      gradient += n * excess * shape;
-      information += n * shape * shape.transpose();
-    }
+    const auto [gradient, information] = score(model);
     std::array<bool, kVariances> moves{};
     for (std::size_t i = 0; i < kVariances; ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       moves[i] = free[i] && (model.power[i] > 0.0 || gradient(k) > 0.0);
     }
-    Vector4 move = Vector4::Zero();
+    Vector move = Vector::Zero();
     for (int attempt = 0; attempt < 4; ++attempt) {
-      Matrix4 system = Matrix4::Identity();
-      Vector4 right = Vector4::Zero();
+      Matrix system = Matrix::Identity();
+      Vector right = Vector::Zero();
       for (Eigen::Index i = 0; i < 4; ++i) {
         if (!moves[static_cast<std::size_t>(i)]) continue;
         right(i) = gradient(i) / std::sqrt(information(i, i));

@@ -1,6 +1,7 @@
 /// Maximum likelihood of noise powers over spectral cells. docs/math/allan.md (20)-(22).
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <span>
@@ -41,12 +42,25 @@ class SpectralFit {
   };
   FittedModel maximise(const TermMask& mask, std::optional<Held> held = std::nullopt,
                        const SpectralModel* start = nullptr) const;
+  /// Variance of the logarithm of the model's power, averaged over some cells, by the Fisher information of all cells
+  /// about the powers that are not zero.
+  double log_power_variance(std::span<const std::size_t> of_cells, const SpectralModel& model) const;
+  /// Third standardised moment of the score of one power at the model, the other powers of `mask` fitted beside it.
+  double score_skewness(Term term, const TermMask& mask, const SpectralModel& model) const;
   /// Expected z^2 of a cell.
   static double variance(const SpectralCell& cell, const SpectralModel& model);
   /// Mean of z^2 with the ramp's mean taken off.
   static double residual_power(const SpectralCell& cell, const SpectralModel& model);
 
  private:
+  using Vector = Eigen::Matrix<double, kVariances, 1>;
+  using Matrix = Eigen::Matrix<double, kVariances, kVariances>;
+
+  struct Score {
+    Vector gradient;
+    Matrix information;
+  };
+  Score score(const SpectralModel& model) const;
   double log_likelihood(const SpectralModel& model) const;
   double best_ramp(const SpectralModel& model) const;
   SpectralModel first_guess(const TermMask& mask) const;

@@ -16,6 +16,7 @@ using Matrix3 = Eigen::Matrix<T, 3, 3>;
 template <class T>
 using Matrix6 = Eigen::Matrix<T, 6, 6>;
 
+using Vector2d = Vector2<double>;
 using Vector3d = Vector3<double>;
 using Vector6d = Vector6<double>;
 using Matrix3d = Matrix3<double>;

@@ -53,7 +53,9 @@ TEST(BagTruncation, OfADatabase) {
   const ScratchFolder folder;
   const std::string bag = write_bag(folder.path("f"), imu_messages(random_imu(12, 4), Wire::kCdr), Container::kRosbag2);
   for (const auto& entry : std::filesystem::directory_iterator(bag)) {
-    if (entry.path().extension() == ".db3") EXPECT_EQ(sweep(entry.path().string(), 61).whole, 12);
+    if (entry.path().extension() == ".db3") {
+      EXPECT_EQ(sweep(entry.path().string(), 61).whole, 12);
+    }
   }
 }
 

@@ -22,14 +22,11 @@ imu_int_pose.txt        t qw qx qy qz px py pz, and the same pose again: dead re
 imu_int_pose_noise.txt  the same for the noisy reading; both start at the second sample
 cam_pose.txt            t qw qx qy qz px py pz wx wy wz ax ay az: T_w_c and the exact IMU reading (frame b) at that instant
 cam_pose_tum.txt        t px py pz qx qy qz qw: T_w_c, TUM order
-all_points.txt          X Y Z 1 [m]: the points of the house, world
+all_points.txt          X Y Z 1 [m]: the points of the scene, world
 keyframe/all_points_<n>.txt  X Y Z 1 u v: point and normalised image coordinates x/z, y/z in camera pose n (from 0)
-keyframe/all_lines_<n>.txt   u1 v1 u2 v2: normalised ends of the edges of the house
+keyframe/all_lines_<n>.txt   u1 v1 u2 v2: normalised ends of the edges of the scene
 velocity.txt            t[s] vx vy vz[m/s]: velocity of the body, world
 bias.txt                t[s] bgx bgy bgz[rad/s] bax bay baz[m/s^2]: true biases in the noisy reading
-
-Camera: R_b_c = [0 0 -1; -1 0 0; 0 1 0], p_b_c = (0.05, 0.04, 0.03) m.
-For pixels: fx = fy = 460, cx = cy = 255, image 640 x 640; no distortion. Nothing is cut at the image border.
 )";
 
 /// One row: the time, whatever `append` adds, a line end.
@@ -120,17 +117,21 @@ void refuse_leftovers(const std::string& folder, std::size_t keyframes) {
                                   .next = "name an empty folder"});
 }
 
-void write_keyframes(const std::string& folder, const std::vector<CourseCameraRow>& camera, OutputOptions options) {
-  const std::vector<Vector3d> points = house_points();
-  const std::vector<Segment> segments = house_segments();
-  for (std::size_t i = 0; i < camera.size(); ++i) {
-    const Pose& T_w_c = camera[i].T_w_c;
-    write_file(keyframe_name(folder, "all_points", i), course_point_observations(points, T_w_c), options);
-    write_file(keyframe_name(folder, "all_lines", i), course_line_observations(segments, T_w_c), options);
+void write_keyframes(const std::string& folder, const CourseRecording& recording, OutputOptions options) {
+  for (std::size_t i = 0; i < recording.camera.size(); ++i) {
+    const Pose& T_w_c = recording.camera[i].T_w_c;
+    write_file(keyframe_name(folder, "all_points", i), course_point_observations(recording.points_w, T_w_c), options);
+    write_file(keyframe_name(folder, "all_lines", i), course_line_observations(recording.segments_w, T_w_c), options);
   }
 }
 
 }  // namespace
+
+std::string course_camera_notes() {
+  return "Camera: R_b_c = [0 0 -1; -1 0 0; 0 1 0], p_b_c = (0.05, 0.04, 0.03) m.\n"
+         "For pixels: fx = fy = 460, cx = cy = 255, image 640 x 640; no distortion. Nothing is cut at the image "
+         "border.\n";
+}
 
 Pose course_T_b_c() {
   Pose T_b_c;
@@ -143,7 +144,7 @@ void write_course_files(const std::string& folder, const CourseRecording& record
   refuse_leftovers(folder, recording.camera.size());
   OutputOptions part = options;
   part.sync = false;
-  write_keyframes(folder, recording.camera, part);
+  write_keyframes(folder, recording, part);
   const auto write = [&](const char* name, const std::string& text) { write_file(folder + "/" + name, text, options); };
   write("imu_pose.txt", imu_pose_text(recording.imu, &CourseImuRow::exact));
   write("imu_pose_noise.txt", imu_pose_text(recording.imu, &CourseImuRow::noisy));
@@ -151,10 +152,11 @@ void write_course_files(const std::string& folder, const CourseRecording& record
   write("imu_int_pose_noise.txt", integrated_text(recording.integrated_noisy));
   write("cam_pose.txt", camera_text(recording.camera));
   write("cam_pose_tum.txt", camera_tum_text(recording.camera));
-  write("all_points.txt", course_point_list(house_points()));
+  write("all_points.txt", course_point_list(recording.points_w));
   write("velocity.txt", velocity_text(recording.imu));
   write("bias.txt", bias_text(recording.imu));
-  write("README.txt", std::string(kReadme) + (recording.notes.empty() ? "" : "\n" + recording.notes + "\n"));
+  write("README.txt", std::string(kReadme) + "\n" + recording.camera_notes +
+                          (recording.notes.empty() ? "" : "\n" + recording.notes + "\n"));
 }
 
 }  // namespace vispline

@@ -9,6 +9,7 @@
 #include "vispline/core/pose.h"
 #include "vispline/core/signal.h"
 #include "vispline/files/output_file.h"
+#include "vispline/io/house.h"
 #include "vispline/sensors/recording.h"
 
 namespace vispline {
@@ -30,11 +31,17 @@ struct CourseCameraRow {
   ImuSample exact;  ///< what an exact IMU reads at this instant, frame b
 };
 
+/// What README.txt says of the course's own camera.
+std::string course_camera_notes();
+
 struct CourseRecording {
   std::vector<CourseImuRow> imu;
   Signal<Pose> integrated_exact;  ///< T_w_b by dead reckoning of `exact`, from the second sample on
   Signal<Pose> integrated_noisy;
   std::vector<CourseCameraRow> camera;
+  std::vector<Vector3d> points_w = house_points();
+  std::vector<Segment> segments_w = house_segments();
+  std::string camera_notes = course_camera_notes();
   std::string notes;  ///< a line or more for README.txt: trajectory, noise, seed
 };
 

@@ -31,17 +31,18 @@ ColumnPlan positional() {
   return plan;
 }
 
+void append_row(std::string& out, Time time, const GroundTruth& state) {
+  mocap::append_pose(out, time, state.T_w_b);
+  append_cells(out, ',', state.v_w);
+  append_cells(out, ',', state.gyro_bias);
+  append_cells(out, ',', state.accel_bias);
+  out += '\n';
+}
+
 std::string text(const Signal<GroundTruth>& states) {
   std::string out(kHeader);
   out += '\n';
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const GroundTruth& state = states.value[i];
-    mocap::append_pose(out, states.time[i], state.T_w_b);
-    append_cells(out, ',', state.v_w);
-    append_cells(out, ',', state.gyro_bias);
-    append_cells(out, ',', state.accel_bias);
-    out += '\n';
-  }
+  for (std::size_t i = 0; i < states.size(); ++i) append_row(out, states.time[i], states.value[i]);
   return out;
 }
 

@@ -32,6 +32,7 @@ inline constexpr std::string_view kHeader =
 
 std::optional<ColumnPlan> recognizes(const ReadContext& context, const TextLayout& layout);
 ColumnPlan positional();
+void append_row(std::string& out, Time time, const GroundTruth& state);
 std::string text(const Signal<GroundTruth>& states);
 
 }  // namespace euroc_groundtruth

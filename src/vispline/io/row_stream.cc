@@ -58,6 +58,7 @@ bool RowStream::next(TextRow& row) {
 bool RowStream::take(const TextLine& line, TextRow& row) {
   row.line = line.number;
   row.index = context_.counts.read++;
+  line_ = line.text;
   BadRow bad;
   const bool good = reader_.read(line.text, row, bad);
   if (!line.has_end && (!good || !last_cell_is_whole(line.text, layout_)) && bad.code != "E-LIMIT") {

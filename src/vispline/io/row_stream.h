@@ -14,6 +14,8 @@ class RowStream {
   /// The next well-formed row; false at the end. Throws E-CSV with the cell for a malformed row (or W-CSV with
   /// skip_bad_rows, judged at the end: at most 0.1 %), E-DECIMAL, E-LIMIT. A last row that is cut is W-TRUNCATED.
   bool next(TextRow& row);
+  /// The line of that row, until the next call.
+  std::string_view line() const { return line_; }
 
  private:
   bool take(const TextLine& line, TextRow& row);
@@ -25,6 +27,7 @@ class RowStream {
   const TextLayout& layout_;
   RowReader reader_;
   std::int64_t bad_rows_ = 0;
+  std::string_view line_{};
 };
 
 }  // namespace vispline

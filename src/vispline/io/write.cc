@@ -28,6 +28,24 @@ void ImuCsvWriter::write(const ImuSignal& block) {
   }
 }
 
+GroundTruthCsvWriter::GroundTruthCsvWriter(std::string path, OutputOptions options)
+    : file_(std::move(path), options), text_(euroc_groundtruth::kHeader) {
+  text_ += '\n';
+}
+
+void GroundTruthCsvWriter::write(Time time, const GroundTruth& state) {
+  euroc_groundtruth::append_row(text_, time, state);
+  if (text_.size() < kBlockBytes) return;
+  file_.write(text_);
+  text_.clear();
+}
+
+void GroundTruthCsvWriter::publish() {
+  file_.write(text_);
+  text_.clear();
+  file_.publish();
+}
+
 std::uint64_t imu_csv_bytes(std::uint64_t rows) { return rows * kRowBytes + euroc_imu::kHeader.size() + 1; }
 
 void write_imu_csv(const std::string& path, const ImuSignal& imu, OutputOptions options) {

@@ -26,6 +26,20 @@ class ImuCsvWriter {
   std::string text_;
 };
 
+/// EuRoC ground truth in blocks: the 17 columns.
+class GroundTruthCsvWriter {
+ public:
+  explicit GroundTruthCsvWriter(std::string path, OutputOptions options = {});
+  /// The stamps must follow those before.
+  void write(Time time, const GroundTruth& state);
+  /// The file has no name until then.
+  void publish();
+
+ private:
+  OutputFile file_;
+  std::string text_;
+};
+
 /// About how many bytes `rows` rows of EuRoC imu0 CSV take; for probe_output.
 std::uint64_t imu_csv_bytes(std::uint64_t rows);
 

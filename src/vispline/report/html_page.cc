@@ -131,6 +131,12 @@ void write(const Figure& figure, Markup& html) {
   html.close().newline();
 }
 
+void write(const HeatMap& map, Markup& html) {
+  html.open("figure").newline().open("div", {{"class", "scroll"}}).newline().verbatim(render_svg(map)).close().newline();
+  if (!map.caption.empty()) html.element("figcaption", map.caption);
+  html.close().newline();
+}
+
 void write_section(const Section& section, std::size_t index, Markup& html) {
   html.open("section", {{"id", section_id(index)}}).newline().element("h2", section.heading).newline();
   for (const Block& block : section.blocks) std::visit([&](const auto& b) { write(b, html); }, block);

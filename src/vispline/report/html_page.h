@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "vispline/report/heat_map.h"
 #include "vispline/report/plot.h"
 
 namespace vispline::report {
@@ -56,7 +57,7 @@ struct Figure {
   std::string caption{};  ///< may be empty
 };
 
-using Block = std::variant<Paragraph, Preformatted, Cards, Table, Figure>;
+using Block = std::variant<Paragraph, Preformatted, Cards, Table, Figure, HeatMap>;
 
 struct Section {
   std::string heading{};

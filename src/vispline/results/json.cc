@@ -97,6 +97,14 @@ JsonObject& JsonObject::set(std::string_view key, const std::vector<std::int64_t
   node_->json[std::string(key)] = value;
   return *this;
 }
+JsonObject& JsonObject::set(std::string_view key, const std::vector<std::string>& value) {
+  node_->json[std::string(key)] = value;
+  return *this;
+}
+JsonObject& JsonObject::set(std::string_view key, const std::vector<std::vector<double>>& value) {
+  node_->json[std::string(key)] = value;
+  return *this;
+}
 JsonObject& JsonObject::set(std::string_view key, const JsonObject& value) {
   node_->json[std::string(key)] = value.node_->json;
   return *this;

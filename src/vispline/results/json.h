@@ -35,6 +35,8 @@ class JsonObject {
   JsonObject& set(std::string_view key, const Matrix3d& value);               ///< three rows
   JsonObject& set(std::string_view key, const std::vector<double>& value);
   JsonObject& set(std::string_view key, const std::vector<std::int64_t>& value);
+  JsonObject& set(std::string_view key, const std::vector<std::string>& value);
+  JsonObject& set(std::string_view key, const std::vector<std::vector<double>>& value);  ///< rows
   JsonObject& set(std::string_view key, const JsonObject& value);
   JsonObject& set(std::string_view key, const std::vector<JsonObject>& value);
 

@@ -71,10 +71,10 @@ class Simulator {
     const Duration earliest = std::min(gyro_offset_, accel_offset_), latest = std::max(gyro_offset_, accel_offset_);
     const TimeSpan span = trajectory_.span();
     const auto index = std::views::iota(std::size_t{0}, stamps_.size());
-    const auto begin =
-        std::ranges::partition_point(index, [&](std::size_t i) { return stamps_[i] + earliest < span.begin; });
+    const auto begin = std::ranges::partition_point(
+        index, [&](std::size_t i) { return body_time(stamps_[i]) + earliest < span.begin; });
     const auto end =
-        std::ranges::partition_point(index, [&](std::size_t i) { return stamps_[i] + latest <= span.end; });
+        std::ranges::partition_point(index, [&](std::size_t i) { return body_time(stamps_[i]) + latest <= span.end; });
     const auto first = static_cast<std::size_t>(begin - index.begin()),
                last = static_cast<std::size_t>(end - index.begin());
     return {first, std::max(first, last)};
@@ -97,17 +97,22 @@ class Simulator {
   }
 
  private:
+  /// On the body's clock, but for the time offset.
+  Time body_time(Time stamp) const {
+    return stamp + from_seconds(simulation_.clock_drift * to_seconds(stamp - simulation_.clock_start));
+  }
+
   /// Exact reading of sample `index`, and the numbers that its noise will need.
   void measure(std::size_t index, std::size_t i, SimulatedImu& block) {
     const Imu& imu = simulation_.imu;
-    const Time stamp = stamps_[index];
-    const BodyState body = trajectory_.at(stamp + gyro_offset_).value();
+    const Time stamp = stamps_[index], time = body_time(stamp);
+    const BodyState body = trajectory_.at(time + gyro_offset_).value();
     block.measured.time[i] = stamp;
-    block.body.time[i] = stamp + gyro_offset_;
+    block.body.time[i] = time + gyro_offset_;
     block.body.value[i] = body;
     block.exact[i].gyro = Gyroscope::predict(body, imu.gyroscope, simulation_.g_w);
     block.exact[i].accel =
-        Accelerometer::predict(accel_offset_ == gyro_offset_ ? body : trajectory_.at(stamp + accel_offset_).value(),
+        Accelerometer::predict(accel_offset_ == gyro_offset_ ? body : trajectory_.at(time + accel_offset_).value(),
                                imu.accelerometer, simulation_.g_w);
     for (std::size_t axis = 0; axis < kAxes; ++axis) normals_[i][axis] = noise_[axis].normals(index);
   }
@@ -162,6 +167,7 @@ std::size_t simulate_imu(const Trajectory& trajectory, const ImuSimulation& simu
                          const SimulationSink& sink) {
   require_valid(simulation.imu);
   require(simulation.g_w.allFinite(), "a finite gravity vector");
+  require(std::abs(simulation.clock_drift) < 0.01, "a clock drift below 0.01 s/s");
   require(simulation.block_size > 0, "a block size of at least 1 sample");
   Simulator simulator(trajectory, simulation, stamps);
   const IndexRange inside = simulator.inside();

@@ -26,6 +26,8 @@ struct ImuSimulation {
   std::uint64_t seed = 0;         ///< the streams depend on the seed and on imu.name only
   std::size_t threads = 1;        ///< does not change a byte of the result
   OutsideSpan outside = OutsideSpan::kError;
+  double clock_drift = 0.0;        ///< of the IMU's clock against the body's, sensors/clock.h
+  Time clock_start{};              ///< where the two agree but for the time offset
   std::size_t block_size = 16384;  ///< samples handed to the sink at a time; does not change a byte of the result
 };
 
@@ -42,9 +44,10 @@ struct SimulatedImu {
 using SimulationSink = std::function<void(const SimulatedImu& block)>;
 
 /// Streams the samples of one IMU, block by block, in memory that does not grow with their number. The trajectory is
-/// evaluated at stamp + time_offset (docs/math/imu.md (1)). Returns how many stamps were left out (OutsideSpan::kSkip).
-/// Throws Error(kUsage) for an invalid IMU, gravity, or block size of 0, and Error(kUnfit, E-SPAN) if stamps lie
-/// outside the trajectory's span (OutsideSpan::kError) or all of them do; then the sink has not been called.
+/// evaluated at stamp + time_offset + clock_drift (stamp - clock_start) (docs/math/imu.md (1), sensors/clock.h).
+/// Returns how many stamps were left out (OutsideSpan::kSkip). Throws Error(kUsage) for an invalid IMU, gravity, or
+/// block size of 0, and Error(kUnfit, E-SPAN) if stamps lie outside the trajectory's span (OutsideSpan::kError) or all
+/// of them do; then the sink has not been called.
 std::size_t simulate_imu(const Trajectory& trajectory, const ImuSimulation& simulation, const Stamps& stamps,
                          const SimulationSink& sink);
 

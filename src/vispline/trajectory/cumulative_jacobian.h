@@ -77,22 +77,22 @@ template <class G, int K, int kRows>
 std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
     const CumulativePoint<G, K>& point, const KnotPair<G>* pairs, const Eigen::Matrix<double, kRows, G::kDof>& L_X,
     const Eigen::Matrix<double, kRows, G::kDof>& L_V, const Eigen::Matrix<double, kRows, G::kDof>& L_dV) {
-  using Rows = Eigen::Matrix<double, kRows, G::kDof>;
-  std::array<Rows, K> blocks;
+  using RowBlock = Eigen::Matrix<double, kRows, G::kDof>;
+  std::array<RowBlock, K> blocks;
   const auto& basis = point.basis;
   blocks[0] = L_X * G::template Ad<double>(G::template inverse<double>(point.rest));
   for (std::size_t j = 0; j + 1 < K; ++j) {
-    const Rows L_DV = L_V - G::times_ad(L_dV, typename G::template Tangent<double>(point.V() - point.V_sum[j]));
-    Rows L_P = L_X;
+    const RowBlock L_DV = L_V - G::times_ad(L_dV, typename G::template Tangent<double>(point.V() - point.V_sum[j]));
+    RowBlock L_P = L_X;
     if (j > 0) L_P += G::times_ad(L_DV, point.V_sum[j]) + G::times_ad(L_dV, point.dV_sum[j]);
-    Rows L_S = basis.d1[j] * (L_DV + G::times_ad(L_dV, point.V_sum[j + 1])) + basis.d2[j] * L_dV;
+    RowBlock L_S = basis.d1[j] * (L_DV + G::times_ad(L_dV, point.V_sum[j + 1])) + basis.d2[j] * L_dV;
     if (j + 2 < K) {
       const auto S = G::template Ad<double>(G::template inverse<double>(point.tail[j]));
       L_P = (L_P * S).eval();
       L_S = (L_S * S).eval();
     }
     const auto M = G::template left_jacobian<double>(-basis.value[j] * pairs[j].d);
-    const Rows L_d = basis.value[j] * (L_P * M) + L_S;
+    const RowBlock L_d = basis.value[j] * (L_P * M) + L_S;
     blocks[j + 1] = L_d * pairs[j].Jr_inv;
     blocks[j] += G::times_ad(L_d, pairs[j].d) - blocks[j + 1];
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -62,6 +63,18 @@ class Spline {
     const std::int64_t segment = std::min(offset / spacing_.count(), last);
     const std::int64_t rest = offset - segment * spacing_.count();
     return {static_cast<std::size_t>(segment), static_cast<double>(rest) / static_cast<double>(spacing_.count())};
+  }
+
+  /// The same for time + extra_s, without rounding to whole nanoseconds: what is differentiated with respect to a time
+  /// offset must not move in steps. Outside span() the end segments are continued: u leaves [0, 1].
+  Place locate(Time time, double extra_s) const {
+    const std::int64_t offset = (time - begin_).count();
+    const auto last = static_cast<std::int64_t>(knots_.size()) - K;
+    const std::int64_t near = std::clamp(offset / spacing_.count(), std::int64_t{0}, last);
+    const double u = (static_cast<double>(offset - near * spacing_.count()) + extra_s * 1e9) /
+                     static_cast<double>(spacing_.count());
+    const std::int64_t segment = std::clamp(near + static_cast<std::int64_t>(std::floor(u)), std::int64_t{0}, last);
+    return {static_cast<std::size_t>(segment), u - static_cast<double>(segment - near)};
   }
 
   CumulativeBasis<K> basis(const Place& place) const { return {place.u, to_seconds(spacing_)}; }

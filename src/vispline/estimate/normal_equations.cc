@@ -1,0 +1,216 @@
+#include "vispline/estimate/normal_equations.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "vispline/core/parallel.h"
+
+namespace vispline {
+namespace {
+
+constexpr std::size_t kChunks = 4;
+constexpr std::size_t kSystems = 2;  ///< that tracks are summed in
+
+struct ChunkRange {
+  std::size_t begin, end;
+  ChunkRange(std::size_t count, std::size_t chunk, std::size_t chunks = kChunks)
+      : begin(count * chunk / chunks), end(count * (chunk + 1) / chunks) {}
+};
+
+Eigen::VectorXd damping(const Skyline& H, double lambda) {
+  return lambda * H.diagonal().cwiseMax(NormalEquations::kLeastInformation);
+}
+
+template <int kSize>
+Eigen::Matrix<double, kSize, 1> landmark_damping(const TrackBlock& track, double lambda) {
+  return lambda * track.H.diagonal().head<kSize>().cwiseMax(NormalEquations::kLeastInformation);
+}
+
+}  // namespace
+
+CostAt cost_at(const Problem& problem, const State& state, const Columns& columns, std::size_t threads) {
+  std::vector<CostAt> part(kChunks);
+  parallel_for(kChunks, threads, [&](std::size_t chunk) {
+    Rows rows;
+    const ChunkRange measured(problem.measurements.size(), chunk), tracked(problem.tracks.size(), chunk);
+    for (std::size_t m = measured.begin; m < measured.end; ++m) {
+      problem.measurements[m]->evaluate(state, columns, false, rows);
+      part[chunk].cost += rows.cost;
+      part[chunk].lost += rows.lost;
+    }
+    for (std::size_t t = tracked.begin; t < tracked.end; ++t) {
+      const TrackResiduals residuals = evaluate_track(state, problem.track_model, problem.tracks[t]);
+      part[chunk].cost += residuals.cost;
+      part[chunk].lost += residuals.lost;
+    }
+  });
+  CostAt sum;
+  for (const CostAt& p : part) {
+    sum.cost += p.cost;
+    sum.lost += p.lost;
+  }
+  return sum;
+}
+
+NormalEquations::NormalEquations(const Problem& problem, const State& state, const Columns& columns,
+                                 std::size_t threads)
+    : problem_(problem), H_(columns.layout.columns), tracks_(problem.tracks.size()) {
+  struct Local {
+    std::vector<int> column;
+    Eigen::MatrixXd H;
+    Eigen::VectorXd g;
+    double cost = 0.0;
+    std::size_t lost = 0;
+  };
+  std::vector<Local> local(problem.measurements.size());
+  parallel_for(kChunks, threads, [&](std::size_t chunk) {
+    Rows rows;
+    const ChunkRange range(local.size(), chunk);
+    for (std::size_t m = range.begin; m < range.end; ++m) {
+      problem.measurements[m]->evaluate(state, columns, true, rows);
+      const auto n = static_cast<Eigen::Index>(rows.column.size());
+      const Eigen::VectorXd root = rows.weight.cwiseSqrt();
+      const Eigen::MatrixXd J_t = (root.asDiagonal() * rows.J).transpose();
+      local[m] = {rows.column, Eigen::MatrixXd::Zero(n, n), J_t * root.cwiseProduct(rows.r), rows.cost, rows.lost};
+      tiles::add_gram(J_t.data(), static_cast<int>(n), static_cast<int>(J_t.cols()), local[m].H.data());
+    }
+  });
+  for (const Local& l : local) H_.couple(l.column);
+  for (const Track& track : problem.tracks) H_.couple(columns_of(state, columns, track));
+  H_.allocate();
+  g_.setZero(columns.layout.columns);
+  for (const Local& l : local) {
+    H_.add(l.column, l.H);
+    for (std::size_t i = 0; i < l.column.size(); ++i) g_(l.column[i]) += l.g(static_cast<Eigen::Index>(i));
+    cost_ += l.cost;
+    lost_ += l.lost;
+  }
+  if (problem.tracks.empty()) return;
+  std::vector<Skyline> H(kSystems, H_.zeros());
+  std::vector<Eigen::VectorXd> g(kSystems, Eigen::VectorXd::Zero(g_.size()));
+  parallel_for(kSystems, threads, [&](std::size_t chunk) {
+    const ChunkRange range(problem.tracks.size(), chunk, kSystems);
+    for (std::size_t t = range.begin; t < range.end; ++t) {
+      tracks_[t] = linearize_track(state, columns, problem.track_model, problem.tracks[t], H[chunk], g[chunk]);
+    }
+  });
+  for (std::size_t chunk = 0; chunk < kSystems; ++chunk) {
+    H_ += H[chunk];
+    g_ += g[chunk];
+  }
+  for (const TrackBlock& track : tracks_) {
+    cost_ += track.cost;
+    lost_ += track.lost;
+  }
+}
+
+template <int kSize>
+bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
+  using Square = Eigen::Matrix<double, kSize, kSize>;
+  ProductPanel panel(reduced.H);
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    const TrackBlock& track = tracks_[t];
+    Square H_l = track.H.topLeftCorner<kSize, kSize>();
+    H_l.diagonal() += landmark_damping<kSize>(track, lambda);
+    const Eigen::LLT<Square> cholesky(H_l);
+    if (cholesky.info() != Eigen::Success) return false;
+    const Square L_inverse = cholesky.matrixL().solve(Square::Identity());
+    reduced.L_inverse[t].topLeftCorner<kSize, kSize>() = L_inverse;
+    const Eigen::Matrix<double, kSize, Eigen::Dynamic> P = L_inverse.lazyProduct(track.W);
+    const Eigen::Matrix<double, kSize, 1> p = L_inverse * track.g.head<kSize>();
+    panel.add(track.column, P);
+    for (std::size_t i = 0; i < track.column.size(); ++i) {
+      reduced.g(track.column[i]) -= P.col(static_cast<Eigen::Index>(i)).dot(p);
+    }
+  }
+  panel.flush();
+  return true;
+}
+
+NormalEquations::Reduced NormalEquations::reduce(double lambda) const {
+  Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
+  if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda));
+  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  reduced.positive = (point ? eliminate<3>(lambda, reduced) : eliminate<1>(lambda, reduced)) && reduced.H.factor();
+  return reduced;
+}
+
+template <int kSize>
+double NormalEquations::substitute_of(double lambda, const Reduced& reduced, bool gradient, Step& step) const {
+  using Vector = Eigen::Matrix<double, kSize, 1>;
+  double sum = 0.0;
+  for (std::size_t t = 0; t < tracks_.size(); ++t) {
+    const TrackBlock& track = tracks_[t];
+    Vector rhs = Vector::Zero();
+    if (gradient) rhs = -track.g.head<kSize>();
+    for (std::size_t i = 0; i < track.column.size(); ++i) {
+      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * step.delta(track.column[i]);
+    }
+    const Eigen::Matrix<double, kSize, kSize> L_inverse = reduced.L_inverse[t].topLeftCorner<kSize, kSize>();
+    Vector delta = L_inverse.transpose() * (L_inverse * rhs);
+    sum += delta.dot(landmark_damping<kSize>(track, lambda).cwiseProduct(delta) - track.g.head<kSize>());
+    for (std::size_t i = 0; i < track.carried.size(); ++i) {
+      delta -= track.carry.col(static_cast<Eigen::Index>(i)) * step.delta(track.carried[i]);
+    }
+    step.delta_landmark[t].head<kSize>() = delta;
+  }
+  return sum;
+}
+
+double NormalEquations::substitute(double lambda, const Reduced& reduced, bool gradient, Step& step) const {
+  step.delta_landmark.assign(tracks_.size(), Vector3d::Zero());
+  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  return point ? substitute_of<3>(lambda, reduced, gradient, step) : substitute_of<1>(lambda, reduced, gradient, step);
+}
+
+std::optional<Step> NormalEquations::step(double lambda) const {
+  const Reduced reduced = reduce(lambda);
+  if (!reduced.positive) return std::nullopt;
+  Step step;
+  step.delta = reduced.H.solve(-reduced.g);
+  if (!step.delta.allFinite()) return std::nullopt;
+  const double landmarks = substitute(lambda, reduced, true, step);
+  step.predicted = 0.5 * (step.delta.dot(damping(H_, lambda).cwiseProduct(step.delta) - g_) + landmarks);
+  return step;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) const {
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd X(B.rows(), B.cols());
+  for (Eigen::Index c = 0; c < B.cols(); ++c) X.col(c) = reduced.H.solve(B.col(c));
+  return X;
+}
+
+std::vector<Step> NormalEquations::respond(const Eigen::MatrixXd& push) const {
+  const Reduced reduced = reduce(0.0);
+  std::vector<Step> steps;
+  if (!reduced.positive) return steps;
+  for (Eigen::Index i = 0; i < push.cols(); ++i) {
+    Step& step = steps.emplace_back();
+    step.delta = reduced.H.solve(push.col(i));
+    substitute(0.0, reduced, false, step);
+  }
+  return steps;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::covariance(int n) const {
+  // Cholesky of a singular matrix leaves pivots of the size of its rounding, 1e-16 times some thousand.
+  constexpr double kMostInflation = 1e13;
+  const Reduced reduced = reduce(0.0);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
+  const double inflation = n == 0 ? 0.0 : covariance.diagonal().cwiseProduct(diagonal().tail(n)).maxCoeff();
+  if (!covariance.allFinite() || inflation > kMostInflation) return std::nullopt;
+  return covariance;
+}
+
+std::optional<Eigen::MatrixXd> NormalEquations::damped_covariance(int n, double lambda) const {
+  const Reduced reduced = reduce(lambda);
+  if (!reduced.positive) return std::nullopt;
+  Eigen::MatrixXd covariance = reduced.H.tail_of_inverse(n);
+  if (!covariance.allFinite()) return std::nullopt;
+  return covariance;
+}
+
+}  // namespace vispline

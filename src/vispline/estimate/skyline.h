@@ -1,0 +1,92 @@
+/// A symmetric positive definite system with a skyline, in square tiles: band, arrow and full matrices in one form.
+/// docs/math/estimate.md, The linear system.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "vispline/estimate/tile_kernel.h"
+
+namespace vispline {
+
+/// The lower triangle. Row i of tiles is held from its first nonzero tile to the diagonal, and Cholesky's factor fills
+/// no more than that: unknowns ordered by time make a band, unknowns at the end that meet all others make an arrow.
+class Skyline {
+ public:
+  static constexpr int kTile = tiles::kTile;
+  using Tile = Eigen::Matrix<double, kTile, kTile>;
+
+  Skyline() = default;
+  explicit Skyline(int size);
+
+  int size() const { return size_; }
+  int tiles() const { return static_cast<int>(first_.size()); }
+  int first(int row) const { return first_[static_cast<std::size_t>(row)]; }
+  Eigen::Map<Tile> tile(int row, int column);
+  Eigen::Map<const Tile> tile(int row, int column) const;
+
+  /// Makes place for the products of all `columns`; before allocate().
+  void couple(std::span<const int> columns);
+  /// Zeros in all the place that was asked for.
+  void allocate();
+  /// As much place, all zeros.
+  Skyline zeros() const;
+  /// Of the same place.
+  Skyline& operator+=(const Skyline& other);
+  /// Adds H, of which the lower triangle counts, at the given rows and columns.
+  void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& H);
+  /// Adds V at (rows, columns) and its transpose at (columns, rows).
+  void add_symmetric(std::span<const int> rows, std::span<const int> columns,
+                     const Eigen::Ref<const Eigen::MatrixXd>& V);
+  Eigen::VectorXd diagonal() const;
+  void add_to_diagonal(const Eigen::VectorXd& d);
+
+  /// Cholesky in place; false if the matrix is not positive definite.
+  bool factor();
+  /// After factor(): x with H x = b.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// After factor(): the last n rows and columns of the inverse, the covariance of the last n unknowns.
+  Eigen::MatrixXd tail_of_inverse(int n) const;
+
+ private:
+  friend class ProductPanel;
+  /// Columns that follow each other inside one tile: what is added as a block.
+  struct Run {
+    int local, global, size;
+  };
+  static std::vector<Run> runs_of(std::span<const int> columns);
+  Eigen::MatrixXd tail(int n) const;
+  double* data(int row, int column) { return data_.data() + offset(row, column); }
+  /// The part of a tile where two runs meet, the one of rows below.
+  auto block(const Run& rows, const Run& columns) {
+    return tile(rows.global / kTile, columns.global / kTile)
+        .block(rows.global % kTile, columns.global % kTile, rows.size, columns.size);
+  }
+  std::size_t offset(int row, int column) const {
+    return (begin_[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column - first(row))) * kTile * kTile;
+  }
+
+  int size_ = 0;
+  std::vector<int> first_;
+  std::vector<std::size_t> begin_;  ///< tiles before each row
+  std::vector<double> data_;
+};
+
+/// Collects rows P, and subtracts P^T P from a system as soon as there are as many as a tile is high: what the
+/// elimination of landmarks costs, in full matrix products.
+class ProductPanel {
+ public:
+  explicit ProductPanel(Skyline& system);
+  /// Rows of P at `columns`; at most kTile rows at once.
+  void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& P);
+  void flush();
+
+ private:
+  Skyline& system_;
+  std::vector<Skyline::Tile> tile_;  ///< P^T, one for each tile of columns
+  std::vector<bool> touched_;
+  int rows_ = 0;
+};
+
+}  // namespace vispline
