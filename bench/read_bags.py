@@ -5,13 +5,12 @@ usage: python3 bench/read_bags.py [--hours 3] [--program build/release/vispline]
 
 Writes an Imu recording of that length at 200 Hz with vispline in each container and compression, reads each with
 `vispline info` (checks and statistics of every sample) and with the Python libraries (every Imu message decoded), and
-prints MB/s of the file's bytes and the peak resident memory. The Python packages go into a venv under the work folder.
+prints MB of the file per second of CPU and the peak resident memory. The Python packages go into a venv under the work folder.
 """
 import argparse
 import pathlib
 import subprocess
 import sys
-import time
 
 CASES = [("rosbag", "none"), ("rosbag", "bz2"), ("rosbag", "lz4"), ("mcap", "none"), ("mcap", "lz4"), ("mcap", "zstd"),
          ("rosbag2", "none")]
@@ -40,14 +39,15 @@ print(count)
 
 
 def with_memory(command):
-    """Seconds and peak MB of one process, by a helper that has no other child; None if it fails."""
+    """Wall and CPU seconds and peak MB of one process, by a helper that has no other child; None if it fails."""
     helper = ("import resource, subprocess, sys, time\n"
               "begin = time.monotonic()\n"
               "code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode\n"
-              "print(code, time.monotonic() - begin, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024)\n")
+              "usage = resource.getrusage(resource.RUSAGE_CHILDREN)\n"
+              "print(code, time.monotonic() - begin, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)\n")
     out = subprocess.run([sys.executable, "-c", helper, *command], capture_output=True, text=True, check=True).stdout
-    code, seconds, memory = out.split()
-    return (float(seconds), float(memory)) if code == "0" else (None, None)
+    code, wall, cpu, memory = out.split()
+    return (float(wall), float(cpu), float(memory)) if code == "0" else None
 
 
 def size_of(path):
@@ -89,17 +89,20 @@ def main():
     work = pathlib.Path(arguments.work)
     work.mkdir(parents=True, exist_ok=True)
     files, python = make(arguments.program, work, arguments.hours), python_of(work)
-    print(f"{'container':20} {'MB':>7}  {'reader':10} {'s':>8} {'MB/s':>8} {'peak MB':>8}")
+    print(f"{'container':20} {'MB':>7}  {'reader':10} {'wall s':>8} {'CPU s':>8} {'MB/CPU s':>9} {'peak MB':>8}")
     for (container, compression), path in files.items():
         megabytes = size_of(path) / 1e6
         readers = {"vispline": [arguments.program, "info", str(path)], "rosbags": [python, "-c", ROSBAGS, str(path)]}
         if container == "mcap":
             readers["mcap"] = [python, "-c", MCAP, str(path)]
         for name, command in readers.items():
-            seconds, memory = with_memory(command)
-            speed = "failed" if seconds is None else f"{megabytes / seconds:8.1f}"
-            print(f"{container + ' ' + compression:20} {megabytes:7.0f}  {name:10} {seconds or 0:8.1f} {speed:>8} "
-                  f"{memory or 0:8.0f}", flush=True)
+            figures = with_memory(command)
+            row = f"{container + ' ' + compression:20} {megabytes:7.0f}  {name:10} "
+            if figures is None:
+                print(row + "failed", flush=True)
+                continue
+            wall, cpu, memory = figures
+            print(row + f"{wall:8.1f} {cpu:8.1f} {megabytes / cpu:9.1f} {memory:8.0f}", flush=True)
 
 
 if __name__ == "__main__":

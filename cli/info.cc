@@ -33,10 +33,15 @@ FileInfo info_of_recording(const std::string& path, const ReadOptions& options) 
   return info;
 }
 
-/// What only keeps other verbs from using a signal is a finding here; what cannot be read is the exit code.
-void account(FileInfo& info, Session& session) {
+/// What keeps other verbs from using one signal of many is a finding here. The only one that was asked for ends the
+/// program if it cannot be read.
+bool ends_the_program(const SignalSurvey& signal, const FileInfo& info, bool named) {
+  return signal.error && signal.error->exit_code() != ExitCode::kUnfit && (named || !info.recording);
+}
+
+void account(const FileInfo& info, bool named, Session& session) {
   if (info.recording) session.add(info.recording->diagnostics);
-  for (SignalSurvey& signal : info.signals) {
+  for (const SignalSurvey& signal : info.signals) {
     if (!signal.error) {
       const std::string role = signal.imu ? "imu" : "trajectory";
       if (!info.recording) {
@@ -47,17 +52,11 @@ void account(FileInfo& info, Session& session) {
       session.add(signal.diagnostics);
       continue;
     }
-    if (signal.error->exit_code() == ExitCode::kInput) continue;
+    if (ends_the_program(signal, info, named)) continue;
     Diagnostic finding = signal.error->diagnostic();
     finding.code.replace(0, 1, "W");
     finding.effect = "other verbs refuse this signal";
     session.add(finding);
-  }
-}
-
-void throw_first_error(const FileInfo& info) {
-  for (const SignalSurvey& signal : info.signals) {
-    if (signal.error && signal.error->exit_code() != ExitCode::kUnfit) throw *signal.error;
   }
 }
 
@@ -74,10 +73,13 @@ void run(InfoFlags& flags) {
   } else {
     info.signals = survey_tables(flags.path, options, reading_progress("reading"));
   }
-  account(info, flags.session);
+  const bool named = !options.topic.empty() || !options.gyro_topic.empty();
+  account(info, named, flags.session);
   flags.session.finish();
   std::cout << (flags.session.json ? info_json(info, flags.session.context) : info_text(info)) << std::flush;
-  throw_first_error(info);
+  for (const SignalSurvey& signal : info.signals) {
+    if (ends_the_program(signal, info, named)) throw *signal.error;
+  }
 }
 
 }  // namespace

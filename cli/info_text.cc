@@ -74,7 +74,7 @@ std::string units_text(const SignalSurvey& signal) {
 }
 
 std::string imu_text(const SignalSurvey& signal) {
-  Table table({{"  axis", Table::Align::kLeft}, {"mean"}, {"std"}, {"min"}, {"max"}, {"unit", Table::Align::kLeft}});
+  Table table({{"  axis  ", Table::Align::kLeft}, {"mean"}, {"std"}, {"min"}, {"max"}, {"unit", Table::Align::kLeft}});
   for (std::size_t i = 0; i < kImuAxes; ++i) {
     if (!signal.imu->axes.present[i]) continue;
     const AxisSurvey& axis = signal.imu->axis[i];
