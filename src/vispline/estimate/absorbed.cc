@@ -21,11 +21,12 @@ void share_among_tracks(const Problem& problem, const Solution& solution, double
 }  // namespace
 
 std::map<std::string, double> absorbed_by_sensor(const Problem& problem, const Solution& solution,
-                                                 std::size_t threads) {
+                                                 const NormalEquations& equations, std::size_t threads) {
   std::map<std::string, double> absorbed;
   double rest =
       solution.columns.layout.columns + static_cast<double>(problem.tracks.size()) * problem.track_model.size();
-  for (const auto& [sensor, fit] : sensor_fits(problem, solution.state, solution.columns, threads, kProbes)) {
+  for (const auto& [sensor, fit] :
+       sensor_fits(problem, solution.state, solution.columns, equations, threads, kProbes)) {
     absorbed[sensor] = static_cast<double>(fit.rows) - fit.redundancy;
     rest -= absorbed[sensor];
   }

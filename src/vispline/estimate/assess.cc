@@ -186,7 +186,7 @@ CalibrationResult assess(const Problem& problem, const Solution& solution, const
     const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
     const int n = solution.columns.layout.columns - solution.columns.layout.first_parameter;
     full_rank |= solution.status == SolveStatus::kFailed && equations.covariance(n).has_value();
-    result.residuals = residual_statistics(problem, solution, options.threads);
+    result.residuals = residual_statistics(problem, solution, equations, options.threads);
     result.weak = full_rank ? weak_directions(solution) : null_directions(solution, equations);
     if (options.check_gradient) {
       const GradientCheck check = check_gradient(problem, solution, equations, options.threads);

@@ -21,8 +21,8 @@ void take(const Rows& rows, bool derivatives, Residuals& out) {
   out.r.head(n) = root.cwiseProduct(rows.r);
   out.r(n) = remainder(rows.cost, out.r.head(n).squaredNorm());
   if (!derivatives) return;
-  out.J.setZero(n + 1, rows.J.cols());
-  out.J.topRows(n) = root.asDiagonal() * rows.J;
+  out.J.setZero(n + 1, static_cast<Eigen::Index>(rows.column.size()));
+  out.J.topRows(n) = root.asDiagonal() * rows.jacobian();
 }
 
 void take(const SightingRows& rows, const TrackModel& model, Residuals& out) {

@@ -50,7 +50,7 @@ Eigen::MatrixXd scores(const Problem& problem, const Solution& solution, const B
   for (const auto& measurement : problem.measurements) {
     if (!is_reading(*measurement)) continue;
     measurement->evaluate(solution.state, solution.columns, true, rows);
-    const Eigen::VectorXd g = rows.J.transpose() * rows.weight.cwiseProduct(rows.r);
+    const Eigen::VectorXd g = rows.pull(rows.weight.cwiseProduct(rows.r));
     const Eigen::Index block = blocks.of(measurement->time());
     for (std::size_t c = 0; c < rows.column.size(); ++c) {
       score(rows.column[c], block) += g(static_cast<Eigen::Index>(c));

@@ -17,9 +17,15 @@ double Huber::weight(double s) const {
 void Rows::start(Eigen::Index rows) {
   r.setZero(rows);
   weight.setOnes(rows);
+  chain.resize(0, 0);
   column.clear();
   cost = 0.0;
   lost = 0;
+}
+
+Eigen::MatrixXd Rows::pull(const Eigen::MatrixXd& B) const {
+  const Eigen::MatrixXd pulled = J.transpose() * B;
+  return chain.size() == 0 ? pulled : Eigen::MatrixXd(chain.transpose() * pulled);
 }
 
 int Rows::append(int first_column, int size) {

@@ -27,12 +27,12 @@ struct Huber {
   double weight(double s) const;
 };
 
-/// Rows that share their columns. J has one column for each entry of `column`; a column of the system stands there
-/// once.
+/// Rows that share their columns; a column of the system stands there once.
 struct Rows {
   Eigen::VectorXd r{};       ///< (predicted - measured) / sigma
   Eigen::VectorXd weight{};  ///< rho', one a row
-  Eigen::MatrixXd J{};
+  Eigen::MatrixXd J{};       ///< one column for each entry of `column`, or for each row of `chain`
+  Eigen::MatrixXd chain{};   ///< when not empty, the derivatives by `column` are J chain: few columns for all rows
   std::vector<int> column{};
   double cost = 0.0;     ///< sum rho / 2
   std::size_t lost = 0;  ///< readings that the model cannot predict here, behind the camera for instance: left out
@@ -43,6 +43,10 @@ struct Rows {
   int append(int first_column, int size);
   /// After all columns are appended.
   void allocate_jacobian() { J.setZero(r.size(), static_cast<Eigen::Index>(column.size())); }
+  /// One column for each entry of `column`.
+  Eigen::MatrixXd jacobian() const { return chain.size() == 0 ? J : Eigen::MatrixXd(J * chain); }
+  /// jacobian()^T B, for a B with as many rows as r.
+  Eigen::MatrixXd pull(const Eigen::MatrixXd& B) const;
 };
 
 /// What a sensor's residuals are in, and how large one of their numbers was assumed to be.

@@ -35,8 +35,8 @@ Worst worst_column(const Measurement& measurement, const State& state, std::vect
   measurement.evaluate(state, columns, true, rows);
   EXPECT_LT((rows.r - residual_at(measurement, state, columns)).norm(), 1e-12 * (1.0 + rows.r.norm()));
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows.r.size(), columns.layout.columns);
-  for (std::size_t c = 0; c < rows.column.size(); ++c)
-    J.col(rows.column[c]) += rows.J.col(static_cast<Eigen::Index>(c));
+  const Eigen::MatrixXd local = rows.jacobian();
+  for (std::size_t c = 0; c < rows.column.size(); ++c) J.col(rows.column[c]) += local.col(static_cast<Eigen::Index>(c));
   Worst worst;
   for (int column = 0; column < columns.layout.columns; ++column) {
     const double step = testing::step_of(parameters, column);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "vispline/estimate/imu_measurement.h"
-#include "vispline/estimate/problem.h"
+#include "vispline/estimate/normal_equations.h"
 
 namespace vispline {
 
@@ -19,10 +19,13 @@ struct SensorFit {
 };
 
 /// Of every sensor by its name, at a solution. The share of the unknowns is the trace of J H^-1 J^T over the sensor's
-/// rows, found with `probes` random sign vectors (Hutchinson), the same ones for any number of threads. Tracks are not
-/// in it: their landmarks absorb what they are. Empty if the information matrix has no full rank.
+/// rows, found with `probes` random sign vectors (Hutchinson; 64 at most), the same ones for any number of threads.
+/// Tracks are not in it: their landmarks absorb what they are. Empty if the information matrix has no full rank.
 std::map<std::string, SensorFit> sensor_fits(const Problem& problem, const State& state, const Columns& columns,
                                              std::size_t threads, int probes = 4);
+/// The same, with the problem already linearised at the state.
+std::map<std::string, SensorFit> sensor_fits(const Problem& problem, const State& state, const Columns& columns,
+                                             const NormalEquations& equations, std::size_t threads, int probes = 4);
 
 /// sigma times the root of the sensor's chi2 per redundancy. With hardly any redundancy the size of the noise cannot be
 /// told, and sigma stays.

@@ -26,6 +26,16 @@ Eigen::Matrix<double, kSize, 1> landmark_damping(const TrackBlock& track, double
   return lambda * track.H.diagonal().head<kSize>().cwiseMax(NormalEquations::kLeastInformation);
 }
 
+/// J^T W J of all columns.
+Eigen::MatrixXd information(const Rows& rows) {
+  const Eigen::MatrixXd J_t = (rows.weight.cwiseSqrt().asDiagonal() * rows.J).transpose();
+  const int size = static_cast<int>(J_t.rows());
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
+  tiles::add_product({J_t.data(), size}, size, {J_t.data(), size}, size, static_cast<int>(J_t.cols()),
+                     {H.data(), size});
+  return rows.chain.size() == 0 ? H : Eigen::MatrixXd(rows.chain.transpose() * H * rows.chain);
+}
+
 }  // namespace
 
 CostAt cost_at(const Problem& problem, const State& state, const Columns& columns, std::size_t threads) {
@@ -68,13 +78,7 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
     const ChunkRange range(local.size(), chunk);
     for (std::size_t m = range.begin; m < range.end; ++m) {
       problem.measurements[m]->evaluate(state, columns, true, rows);
-      const auto n = static_cast<Eigen::Index>(rows.column.size());
-      const Eigen::VectorXd root = rows.weight.cwiseSqrt();
-      const Eigen::MatrixXd J_t = (root.asDiagonal() * rows.J).transpose();
-      local[m] = {rows.column, Eigen::MatrixXd::Zero(n, n), J_t * root.cwiseProduct(rows.r), rows.cost, rows.lost};
-      const int size = static_cast<int>(n);
-      tiles::add_product({J_t.data(), size}, size, {J_t.data(), size}, size, static_cast<int>(J_t.cols()),
-                         {local[m].H.data(), size});
+      local[m] = {rows.column, information(rows), rows.pull(rows.weight.cwiseProduct(rows.r)), rows.cost, rows.lost};
     }
   });
   for (const Local& l : local) H_.couple(l.column);

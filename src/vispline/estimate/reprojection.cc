@@ -5,6 +5,11 @@
 
 namespace vispline {
 
+std::optional<Vector2d> reproject(const Camera& camera, const Pose& T_w_b, const HomogeneousPoint& point) {
+  const Vector3d y_b = T_w_b.R.transpose() * (point.direction_w - point.inverse_distance * T_w_b.p);
+  return camera.lens.project(camera.T_c_b.R * y_b + point.inverse_distance * camera.T_c_b.p);
+}
+
 std::optional<Reprojection> linearize_reprojection(const Camera& camera, const Pose& T_w_b,
                                                    const HomogeneousPoint& point) {
   const Matrix3d& R_c_b = camera.T_c_b.R;

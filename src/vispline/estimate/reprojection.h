@@ -21,7 +21,8 @@ struct Reprojection {
   Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, kMaxLensParams> d_lens;
 };
 
-/// Empty where the lens has no image of the point.
+/// px alone; empty where the lens has no image of the point.
+std::optional<Vector2d> reproject(const Camera& camera, const Pose& T_w_b, const HomogeneousPoint& point);
 std::optional<Reprojection> linearize_reprojection(const Camera& camera, const Pose& T_w_b,
                                                    const HomogeneousPoint& point);
 

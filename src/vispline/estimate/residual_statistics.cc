@@ -141,11 +141,11 @@ std::map<std::string, double> sigmas_of(const Rig& rig) {
 }  // namespace
 
 std::vector<SensorResiduals> residual_statistics(const Problem& problem, const Solution& solution,
-                                                 std::size_t threads) {
+                                                 const NormalEquations& equations, std::size_t threads) {
   Collector collector;
   for (const auto& m : problem.measurements) collector.measurement(*m, solution.state, solution.columns);
   for (const Track& track : problem.tracks) collector.track(track, problem.track_model, solution.state);
-  const std::map<std::string, double> absorbed = absorbed_by_sensor(problem, solution, threads);
+  const std::map<std::string, double> absorbed = absorbed_by_sensor(problem, solution, equations, threads);
   const std::map<std::string, double> rig_sigma = sigmas_of(problem.start.rig);
   std::vector<SensorResiduals> all;
   for (const std::string& name : collector.names()) {

@@ -31,7 +31,7 @@ class TargetRows final : public Measurement {
 
   void whiten(const State& state) override {
     const Camera& camera = state.rig.cameras[frame_.camera];
-    if (camera.shutter.line_delay_s == 0.0) return;
+    if (is_global(camera)) return;
     for (std::size_t i = 0; i < frame_.px.size(); ++i) {
       const PoseSample at = state.curve->pose({frame_.stamp, camera.delay_s(frame_.px[i])}, false);
       whitening_[i] = line_whitening(camera, at.T_w_b, at.twist_b, HomogeneousPoint::known(frame_.point[i]));
@@ -40,24 +40,24 @@ class TargetRows final : public Measurement {
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
     const Camera& camera = state.rig.cameras[frame_.camera];
-    const auto points = static_cast<Eigen::Index>(frame_.px.size());
-    rows.start(2 * points);
-    const bool global_shutter =
-        camera.shutter.line_delay_s == 0.0 && columns.parameters.cameras[frame_.camera].line_delay < 0;
-    const KnotColumns knots = derivatives ? append(state, camera, columns, rows) : KnotColumns{};
-    const CameraLocal local(derivatives ? columns.parameters.cameras[frame_.camera] : CameraColumns{},
-                            static_cast<int>(camera.lens.params.size()), rows);
-    if (derivatives) rows.allocate_jacobian();
-    PoseSample at;
-    for (Eigen::Index i = 0; i < points; ++i) {
-      if (i == 0 || !global_shutter) {
-        at = state.curve->pose({frame_.stamp, camera.delay_s(px(i))}, derivatives);
-      }
-      point(camera, at, i, derivatives, knots, local, rows);
+    const CameraColumns& global = columns.parameters.cameras[frame_.camera];
+    rows.start(2 * points());
+    if (!derivatives) {
+      predict(state, rows);
+      return;
+    }
+    const KnotColumns knots = append(state, camera, columns, rows);
+    const CameraLocal local(global, static_cast<int>(camera.lens.params.size()), rows);
+    if (is_global(camera) && global.line_delay < 0) {
+      linearize_global(state, knots, local, rows);
+    } else {
+      linearize_rolling(state, knots, local, rows);
     }
   }
 
  private:
+  static bool is_global(const Camera& camera) { return camera.shutter.line_delay_s == 0.0; }
+  Eigen::Index points() const { return static_cast<Eigen::Index>(frame_.px.size()); }
   const Vector2d& px(Eigen::Index i) const { return frame_.px[static_cast<std::size_t>(i)]; }
 
   KnotColumns append(const State& state, const Camera& camera, const Columns& columns, Rows& rows) const {
@@ -70,32 +70,86 @@ class TargetRows final : public Measurement {
     return append_knots(*state.curve, columns.layout, first, last, rows);
   }
 
-  void point(const Camera& camera, const PoseSample& at, Eigen::Index i, bool derivatives, const KnotColumns& knots,
-             const CameraLocal& local, Rows& rows) const {
-    const auto seen =
-        linearize_reprojection(camera, at.T_w_b, HomogeneousPoint::known(frame_.point[static_cast<std::size_t>(i)]));
-    const auto& M = whitening_[static_cast<std::size_t>(i)];
-    if (!seen || !M) {
+  HomogeneousPoint known(Eigen::Index i) const {
+    return HomogeneousPoint::known(frame_.point[static_cast<std::size_t>(i)]);
+  }
+  Eigen::Matrix2d scale(Eigen::Index i) const { return *whitening_[static_cast<std::size_t>(i)] / frame_.sigma_px; }
+
+  /// Residual, weight and cost of point i; false if it is lost.
+  bool measure(Eigen::Index i, const std::optional<Vector2d>& seen_px, Rows& rows) const {
+    if (!seen_px || !whitening_[static_cast<std::size_t>(i)]) {
       ++rows.lost;
       rows.cost += 0.5 * frame_.loss.loss(kLostSigmas * kLostSigmas);
       rows.weight.segment<2>(2 * i).setZero();
-      return;
+      return false;
     }
-    const Eigen::Matrix2d scale = *M / frame_.sigma_px;
-    const Vector2d r = scale * (seen->px - px(i));
+    const Vector2d r = scale(i) * (*seen_px - px(i));
     rows.r.segment<2>(2 * i) = r;
     rows.cost += 0.5 * frame_.loss.loss(r.squaredNorm());
     rows.weight.segment<2>(2 * i).setConstant(frame_.loss.weight(r.squaredNorm()));
-    if (!derivatives) return;
-    const Vector2d ydot = seen->d_pose * at.twist_b;
-    const Matrix2x6 d_pose = scale * seen->d_pose;
+    return true;
+  }
+
+  void predict(const State& state, Rows& rows) const {
+    const Camera& camera = state.rig.cameras[frame_.camera];
+    PoseSample at;
+    for (Eigen::Index i = 0; i < points(); ++i) {
+      if (i == 0 || !is_global(camera)) at = state.curve->pose({frame_.stamp, camera.delay_s(px(i))}, false);
+      measure(i, reproject(camera, at.T_w_b, known(i)), rows);
+    }
+  }
+
+  void linearize_global(const State& state, const KnotColumns& knots, const CameraLocal& local, Rows& rows) const {
+    const Camera& camera = state.rig.cameras[frame_.camera];
+    const PoseSample at = state.curve->pose({frame_.stamp, camera.time_offset_s}, true);
+    start_chain(camera, at, knots, local, rows);
+    for (Eigen::Index i = 0; i < points(); ++i) {
+      const auto seen = linearize_reprojection(camera, at.T_w_b, known(i));
+      if (!measure(i, px_of(seen), rows)) continue;
+      rows.J.block<2, 6>(2 * i, 0) = scale(i) * seen->d_pose;
+      if (local.intrinsics >= 0) rows.J.middleRows<2>(2 * i).rightCols(seen->d_lens.cols()) = scale(i) * seen->d_lens;
+    }
+  }
+
+  void linearize_rolling(const State& state, const KnotColumns& knots, const CameraLocal& local, Rows& rows) const {
+    const Camera& camera = state.rig.cameras[frame_.camera];
+    rows.allocate_jacobian();
+    for (Eigen::Index i = 0; i < points(); ++i) {
+      const PoseSample at = state.curve->pose({frame_.stamp, camera.delay_s(px(i))}, true);
+      const auto seen = linearize_reprojection(camera, at.T_w_b, known(i));
+      if (measure(i, px_of(seen), rows)) differentiate(camera, at, i, *seen, knots, local, rows);
+    }
+  }
+
+  static std::optional<Vector2d> px_of(const std::optional<Reprojection>& seen) {
+    return seen ? std::optional(seen->px) : std::nullopt;
+  }
+
+  /// All points of a global shutter are seen from one pose: rows of J are by its six numbers and by the lens; knots,
+  /// clock and T_c_b only move that pose.
+  static void start_chain(const Camera& camera, const PoseSample& at, const KnotColumns& knots,
+                          const CameraLocal& local, Rows& rows) {
+    const Eigen::Index lens = local.intrinsics >= 0 ? camera.lens.params.size() : 0;
+    rows.J.setZero(rows.r.size(), 6 + lens);
+    rows.chain.setZero(6 + lens, static_cast<Eigen::Index>(rows.column.size()));
+    knots.add(at.d_knots.J, at.d_knots.first, 0, rows.chain);
+    if (local.translation >= 0) rows.chain.block<3, 3>(0, local.translation) = -camera.T_c_b.R.transpose();
+    if (local.rotation >= 0) rows.chain.block<3, 3>(3, local.rotation) = -Matrix3d::Identity();
+    if (local.time_offset >= 0) rows.chain.block<6, 1>(0, local.time_offset) = at.twist_b;
+    if (lens > 0) rows.chain.block(6, local.intrinsics, lens, lens).setIdentity();
+  }
+
+  void differentiate(const Camera& camera, const PoseSample& at, Eigen::Index i, const Reprojection& seen,
+                     const KnotColumns& knots, const CameraLocal& local, Rows& rows) const {
+    const Vector2d ydot = seen.d_pose * at.twist_b;
+    const Matrix2x6 d_pose = scale(i) * seen.d_pose;
     knots.add((d_pose * at.d_knots.J).eval(), at.d_knots.first, 2 * i, rows.J);
     const auto put = [&](int column, const auto& block) {
-      if (column >= 0) rows.J.block(2 * i, column, 2, block.cols()) = scale * block;
+      if (column >= 0) rows.J.block(2 * i, column, 2, block.cols()) = scale(i) * block;
     };
-    put(local.translation, seen->d_T_c_b.leftCols<3>());
-    put(local.rotation, seen->d_T_c_b.rightCols<3>());
-    put(local.intrinsics, seen->d_lens);
+    put(local.translation, seen.d_T_c_b.leftCols<3>());
+    put(local.rotation, seen.d_T_c_b.rightCols<3>());
+    put(local.intrinsics, seen.d_lens);
     put(local.time_offset, ydot);
     put(local.line_delay, (camera.shutter.line(px(i), camera.resolution_px) * ydot).eval());
   }
