@@ -54,6 +54,7 @@ void run(CalibrateFlags& flags) {
   options.treatments = flags.treatments(start);
   options.huber_sigmas = flags.huber;
   options.trust_noise = flags.noise == "rig";
+  options.bias_walk = flags.bias_walk();
   options.solve = flags.solve_options();
   std::optional<OutputGuard> interrupts_end_the_iterations(std::in_place);
   const Estimation estimation = calibrate(start.rig, recording, target, options);

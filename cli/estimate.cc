@@ -39,6 +39,7 @@ Estimation from_poses(EstimateFlags& flags, const RigDocument& start, const Reco
   options.treatments = flags.treatments(start);
   options.huber_sigmas = flags.huber;
   options.trust_noise = flags.noise == "rig";
+  options.bias_walk = flags.bias_walk();
   options.solve = flags.solve_options();
   return estimate_with_poses(start.rig, recording.imus.at(start.rig.imus.front().name), poses, options);
 }
@@ -51,6 +52,7 @@ Estimation from_tracks(EstimateFlags& flags, const RigDocument& start, const Rec
   options.treatments = flags.treatments(start);
   options.huber_sigmas = flags.huber;
   options.trust_noise = flags.noise == "rig";
+  options.bias_walk = flags.bias_walk();
   options.solve = flags.solve_options();
   return estimate_with_tracks(start.rig, recording, options);
 }

@@ -64,6 +64,9 @@ void EstimationFlags::add_to(CLI::App& verb) {
   verb.add_option("--spline", spline, "se3: joint; split: R3 x SO3")->check(CLI::IsMember({"se3", "split"}));
   verb.add_option("--order", order, "of the spline")->check(CLI::Range(4, 6));
   verb.add_option("--knot-spacing", spacing, "[s], or auto: from the spectrum of the IMU");
+  verb.add_option("--bias-walk", bias_walk_s,
+                  "[s] biases walk as the rig says, with a node every so many seconds; constant otherwise")
+      ->check(positive());
   verb.add_option("--gravity", gravity, "[m/s^2]")->check(positive());
   verb.add_option("--huber", huber, "residuals beyond so many sigmas are weighed down; 0: least squares");
   verb.add_option("--noise", noise, "residuals: sizes of the noise found; rig: as the rig has them")
@@ -144,6 +147,10 @@ CurveShape EstimationFlags::curve(double auto_spacing_s) const {
 
 double EstimationFlags::gravity_of(const RigDocument& document) const {
   return gravity ? *gravity : document.g_w.norm();
+}
+
+std::optional<Duration> EstimationFlags::bias_walk() const {
+  return bias_walk_s ? std::optional(from_seconds(*bias_walk_s)) : std::nullopt;
 }
 
 SolveOptions EstimationFlags::solve_options() {

@@ -21,7 +21,7 @@ struct EstimationFlags {
   std::vector<std::string> rig, imu, free, fix, prior;
   std::string spline = "se3", spacing = "auto", noise = "residuals";
   int order = 4;
-  std::optional<double> gravity;
+  std::optional<double> gravity, bias_walk_s;
   double huber = 3.0;
   int max_iterations = 50, twin = 0, jackknife = 0;
   std::size_t threads = 0;
@@ -37,6 +37,7 @@ struct EstimationFlags {
   Treatments treatments(const RigDocument& document) const;
   CurveShape curve(double auto_spacing_s) const;
   double gravity_of(const RigDocument& document) const;
+  std::optional<Duration> bias_walk() const;
   /// Rows of iterations with -v; an interrupt ends the iterations with the best state so far.
   SolveOptions solve_options();
   bool interrupted() const { return interrupted_; }

@@ -90,5 +90,7 @@ function(vispline_test name)
   target_include_directories(${name} SYSTEM PRIVATE $<TARGET_PROPERTY:Ceres::ceres,INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(${name} PRIVATE vispline_flags GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE VISPLINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # What is tested keeps its optimisation; the tests themselves compile in two thirds of the time.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
 endfunction()

@@ -16,14 +16,15 @@ REAL=${REAL:-}
 ALL="convergence nominal paper start cameras reference twin real"
 
 # motion SEED DURATION_S "frequencies [Hz]" "position amplitudes [m]" "rotation amplitudes [rad]": poses (TUM) every
-# 5 ms of sums of sinusoids, with phases drawn from the seed. Amplitudes of the tones fall as f^-0.7.
+# ms of sums of sinusoids, with phases drawn from the seed. Amplitudes of the tones fall as f^-0.7. The simulator's spline
+# goes through the poses; poses every 5 ms would leave 5e-4 m/s^2 at its knots, which the table without noise would show.
 motion() {
   awk -v seed="$1" -v T="$2" -v fs="$3" -v ps="$4" -v rs="$5" 'BEGIN {
     srand(seed); n = split(fs, f, " "); split(ps, pa, " "); split(rs, ra, " "); sum = 0; tau = 6.283185307179586
     for (k = 1; k <= n; ++k) sum += f[k]^-0.7
     for (a = 1; a <= 3; ++a) for (k = 1; k <= n; ++k) { pp[a, k] = tau * rand(); rp[a, k] = tau * rand() }
-    for (i = -40; i <= (T + 0.2) * 200; ++i) {
-      t = i / 200
+    for (i = -200; i <= (T + 0.2) * 1000; ++i) {
+      t = i / 1000
       for (a = 1; a <= 3; ++a) {
         p[a] = 0; r[a] = 0
         for (k = 1; k <= n; ++k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 
 #include "vispline/core/error.h"
@@ -78,6 +79,54 @@ void add_poses(Problem& problem, std::size_t reference, const Signal<Pose>& sign
         problem.start, {reference, std::span(signal.time).subspan(first, count),
                         std::span(signal.value).subspan(first, count), position_sigma_m, rotation_sigma_rad, loss}));
   });
+}
+
+std::vector<Track> tracks_of(const Rig& rig, const Recording& recording, TimeSpan span, std::size_t least_sightings) {
+  std::map<std::uint64_t, std::vector<Sighting>> by_id;
+  for (std::size_t c = 0; c < rig.cameras.size(); ++c) {
+    const Camera& camera = rig.cameras[c];
+    const auto found = recording.features.find(camera.name);
+    if (found == recording.features.end()) continue;
+    for (std::size_t f = 0; f < found->second.size(); ++f) {
+      for (const Feature& feature : found->second.value[f]) {
+        const Time at = found->second.time[f] + from_seconds(camera.delay_s(feature.px));
+        if (!span.contains(at) || !camera.lens.unproject(feature.px)) continue;
+        by_id[feature.id].push_back({c, found->second.time[f], feature.px});
+      }
+    }
+  }
+  std::vector<Track> tracks;
+  for (auto& [id, sightings] : by_id) {
+    if (sightings.size() < least_sightings) continue;
+    std::stable_sort(sightings.begin(), sightings.end(),
+                     [](const Sighting& a, const Sighting& b) { return a.stamp < b.stamp; });
+    tracks.push_back({tracks.size(), std::move(sightings)});
+  }
+  return tracks;
+}
+
+void walk_biases(State& state, TimeSpan span, Duration spacing) {
+  require(spacing > Duration::zero(), "a positive time between the nodes of a bias");
+  if (!state.bias_walks.empty()) return;
+  const std::int64_t steps = std::max<std::int64_t>(1, (span.end - span.begin + spacing - Duration(1)) / spacing);
+  const BiasWalk still{span.begin, spacing,
+                       std::vector<Vector6d>(static_cast<std::size_t>(steps + 1), Vector6d::Zero())};
+  state.bias_walks.assign(state.rig.imus.size(), still);
+}
+
+void add_bias_walks(Problem& problem) {
+  for (std::size_t i = 0; i < problem.start.bias_walks.size(); ++i) {
+    const Imu& imu = problem.start.rig.imus[i];
+    if (!(imu.noise.gyro.walk > 0.0 && imu.noise.accel.walk > 0.0)) {
+      throw Error(ExitCode::kUsage,
+                  {.code = "E-CONFIG",
+                   .message = "the biases of " + quoted(imu.name) + " are to walk, but its rig has no random walk",
+                   .where = "",
+                   .effect = "nothing estimated",
+                   .next = "give random_walk in the rig file; vispline allan finds it from a still record"});
+    }
+    problem.measurements.push_back(bias_walk_measurement(problem.start, i, imu.noise.gyro.walk, imu.noise.accel.walk));
+  }
 }
 
 void add_smoothness(Problem& problem) {

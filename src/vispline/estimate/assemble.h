@@ -32,6 +32,16 @@ void add_target(Problem& problem, std::size_t camera, const FeatureSignal& featu
 void add_poses(Problem& problem, std::size_t reference, const Signal<Pose>& signal, TimeSpan span,
                double position_sigma_m, double rotation_sigma_rad, const Huber& loss);
 
+/// Biases of all IMUs of the rig with nodes every `spacing` over `span`, where the state has none: zero beyond the
+/// constant bias.
+void walk_biases(State& state, TimeSpan span, Duration spacing);
+/// How the biases of the start walk, by the random walks of the rig; nothing if they do not. Throws E-CONFIG for an IMU
+/// without random walk.
+void add_bias_walks(Problem& problem);
+
+/// Features of all cameras by id, those seen at least `least_sightings` times within `span`.
+std::vector<Track> tracks_of(const Rig& rig, const Recording& recording, TimeSpan span, std::size_t least_sightings);
+
 /// What holds the ends of the curve and stretches without readings.
 void add_smoothness(Problem& problem);
 

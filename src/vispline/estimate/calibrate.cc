@@ -18,6 +18,7 @@ constexpr std::size_t kFewestFrames = 20;
 constexpr double kMargin_s = 0.03;         // of the curve beyond the readings: time offsets move them
 constexpr std::size_t kQuickFrames = 150;  // images that are enough for the first stages
 constexpr int kNoiseRounds = 3;
+constexpr double kNearLambda = 1e-9;     // where only sizes of noise, or the number of images, have changed
 constexpr double kImuScaleSigma = 0.02;  // what MEMS sensors are off by, in scale and in rad
 constexpr std::size_t kPoseChunk = 16;
 
@@ -153,6 +154,7 @@ class Calibrator {
       const Time at = std::clamp(t - offset, motion.span().begin, motion.span().end);
       return motion.pose({at}, false).T_w_b * camera.T_c_b;
     });
+    if (options_.bias_walk) walk_biases(state_, used_, *options_.bias_walk);
   }
 
   Treatments usual(bool everything) const {
@@ -194,6 +196,7 @@ class Calibrator {
       if (features == nullptr) continue;
       add_target(problem, c, thinned(*features, stride), target_, used_, sigma_px_[c], {options_.huber_sigmas});
     }
+    add_bias_walks(problem);
     add_smoothness(problem);
     add_priors(problem);
     return problem;
@@ -216,14 +219,17 @@ class Calibrator {
     quick.relative_decrease = 1e-3;
     Problem first = problem(state_, false, stride);
     State state = solve(first, quick).state;
+    SolveOptions last = options_.solve;
     for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
+      last.first_lambda = kNearLambda;
+      if (round > 0) quick.first_lambda = kNearLambda;
       Problem every = problem(state, true, stride);
       const Solution solution = solve(every, quick);
       state = solution.state;
       rescale(sensor_fits(every, solution.state, solution.columns, options_.solve.threads));
     }
     result_.problem = problem(state, true, 1);
-    result_.solution = solve(result_.problem, options_.solve);
+    result_.solution = solve(result_.problem, last);
   }
 
   std::size_t most_frames() const {

@@ -14,10 +14,11 @@ namespace vispline {
 
 struct CalibrateOptions {
   CurveShape curve{SplineKind::kJoint, 4, from_seconds(0.02)};
-  double gravity = 9.80665;   ///< m/s^2
-  Treatments treatments{};    ///< beyond the usual ones
-  double huber_sigmas = 3.0;  ///< of corners; 0: least squares
-  bool trust_noise = false;   ///< sigmas as the rig has them; false: found from the residuals
+  double gravity = 9.80665;             ///< m/s^2
+  Treatments treatments{};              ///< beyond the usual ones
+  double huber_sigmas = 3.0;            ///< of corners; 0: least squares
+  bool trust_noise = false;             ///< sigmas as the rig has them; false: found from the residuals
+  std::optional<Duration> bias_walk{};  ///< between nodes of biases that walk; empty: constant biases
   SolveOptions solve{};
 };
 

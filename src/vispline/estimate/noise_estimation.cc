@@ -40,7 +40,8 @@ void gather(const Measurement& measurement, std::size_t m, const Rows& rows, int
   const std::vector<std::string> names = measurement.sensors();
   std::vector<Gathered*> sensor;
   for (const std::string& name : names) {
-    sensor.push_back(&all.try_emplace(name, Gathered{{}, Eigen::MatrixXd::Zero(columns, probes)}).first->second);
+    sensor.push_back(&all[name]);
+    if (sensor.back()->pulled.size() == 0) sensor.back()->pulled.setZero(columns, probes);
   }
   const RandomStream stream(kSeed, "noise/" + std::to_string(m));
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(rows.r.size(), probes * static_cast<int>(names.size()));
@@ -121,6 +122,22 @@ void rescale_sigma(double& sigma, const std::string& sensor, const std::map<std:
 void rescale_sigma(ImuSigma& sigma, const std::string& imu, const std::map<std::string, SensorFit>& fits) {
   rescale_sigma(sigma.gyro, imu + ".gyroscope", fits);
   rescale_sigma(sigma.accel, imu + ".accelerometer", fits);
+}
+
+void rescale_sigma(std::vector<double>& sigma_px, const Problem& problem, const State& state) {
+  std::vector<double> chi2(sigma_px.size()), redundancy(sigma_px.size());
+  for (const Track& track : problem.tracks) {
+    const TrackResiduals residuals = evaluate_track(state, problem.track_model, track);
+    const double own = static_cast<double>(problem.track_model.size()) / static_cast<double>(track.sightings.size());
+    for (std::size_t i = 0; i < track.sightings.size(); ++i) {
+      const double s = residuals.r[i].squaredNorm();
+      chi2[track.sightings[i].camera] += problem.track_model.loss.weight(s) * s;
+      redundancy[track.sightings[i].camera] += 2.0 - own;
+    }
+  }
+  for (std::size_t c = 0; c < sigma_px.size(); ++c) {
+    if (redundancy[c] > 0.0 && chi2[c] > 0.0) sigma_px[c] *= std::sqrt(chi2[c] / redundancy[c]);
+  }
 }
 
 }  // namespace vispline

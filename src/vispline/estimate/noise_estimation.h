@@ -31,5 +31,7 @@ std::map<std::string, SensorFit> sensor_fits(const Problem& problem, const State
 /// told, and sigma stays.
 void rescale_sigma(double& sigma, const std::string& sensor, const std::map<std::string, SensorFit>& fits);
 void rescale_sigma(ImuSigma& sigma, const std::string& imu, const std::map<std::string, SensorFit>& fits);
+/// Pixels of every camera, from its tracks: their redundancy is what their landmarks leave.
+void rescale_sigma(std::vector<double>& sigma_px, const Problem& problem, const State& state);
 
 }  // namespace vispline

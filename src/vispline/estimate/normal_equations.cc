@@ -183,18 +183,17 @@ std::optional<Step> NormalEquations::step(double lambda) const {
 std::optional<Eigen::MatrixXd> NormalEquations::solve(const Eigen::MatrixXd& B) const {
   const Reduced reduced = reduce(0.0);
   if (!reduced.positive) return std::nullopt;
-  Eigen::MatrixXd X(B.rows(), B.cols());
-  for (Eigen::Index c = 0; c < B.cols(); ++c) X.col(c) = reduced.H.solve(B.col(c));
-  return X;
+  return reduced.H.solve(B);
 }
 
 std::vector<Step> NormalEquations::respond(const Eigen::MatrixXd& push) const {
   const Reduced reduced = reduce(0.0);
   std::vector<Step> steps;
   if (!reduced.positive) return steps;
+  const Eigen::MatrixXd delta = reduced.H.solve(push);
   for (Eigen::Index i = 0; i < push.cols(); ++i) {
     Step& step = steps.emplace_back();
-    step.delta = reduced.H.solve(push.col(i));
+    step.delta = delta.col(i);
     substitute(0.0, reduced, false, step);
   }
   return steps;

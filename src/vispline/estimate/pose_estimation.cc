@@ -77,6 +77,7 @@ class PoseEstimator {
       const Time at = std::clamp(t - offset, motion.span().begin, motion.span().end);
       return motion.pose({at}, false).T_w_b * reference.T_b_k.inverse();
     });
+    if (options_.bias_walk) walk_biases(state_, used_, *options_.bias_walk);
   }
 
   Problem problem(const Sigmas& sigmas) const {
@@ -94,6 +95,7 @@ class PoseEstimator {
     const Duration offset = from_seconds(state_.references[0].time_offset_s);
     add_poses(problem, 0, poses_, {used_.begin - offset, used_.end - offset}, sigmas.position_m, sigmas.rotation_rad,
               {options_.huber_sigmas});
+    add_bias_walks(problem);
     add_smoothness(problem);
     add_priors(problem);
     return problem;

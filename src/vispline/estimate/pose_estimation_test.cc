@@ -66,6 +66,43 @@ TEST(PoseEstimation, FindsTheSizesOfTheNoise) {
   for (const SensorResiduals& r : result.residuals) EXPECT_NEAR(r.sigma / expected.at(r.sensor), 1.0, 0.15) << r.sensor;
 }
 
+TEST(PoseEstimation, FollowsABiasThatWalks) {
+  const Simulated data({.duration_s = 7.0});
+  const Signal<Pose> poses = noisy_poses(data);
+  ImuSignal imu = data.imu();
+  const auto drift = [&](double t) {
+    Vector6d bias;
+    bias << 0.03 * t / 7.0, 0.01 * std::sin(t), -0.01, 0.3 * std::sin(0.7 * t), 0.2 * t / 7.0, 0.1;
+    return bias;
+  };
+  for (std::size_t i = 0; i < imu.size(); ++i) {
+    const Vector6d bias = drift(to_seconds(imu.time[i] - imu.time[0]));
+    imu.value[i].gyro += bias.head<3>();
+    imu.value[i].accel += bias.tail<3>();
+  }
+  Rig rig = data.truth;
+  PoseEstimationOptions options = options_of({SplineKind::kJoint, 4, from_seconds(0.04)});
+  options.bias_walk = from_seconds(0.5);
+  EXPECT_THROW(estimate_with_poses(rig, imu, poses, options), Error);
+  rig.imus[0].noise.gyro.walk = 0.01;
+  rig.imus[0].noise.accel.walk = 0.15;
+  const Estimation estimation = estimate_with_poses(rig, imu, poses, options);
+  expect_reference(estimation);
+  const State& state = estimation.solution.state;
+  const auto error_at = [&](double t) {
+    Vector6d bias, expected;
+    bias << state.rig.imus[0].gyroscope.bias, state.rig.imus[0].accelerometer.bias;
+    expected << data.truth.imus[0].gyroscope.bias, data.truth.imus[0].accelerometer.bias;
+    return Vector6d(bias + state.bias_walks[0].at({imu.time[0] + from_seconds(t)}) - expected - drift(t));
+  };
+  for (const double t : {0.5, 2.0, 3.5, 5.0, 6.5}) {
+    EXPECT_LT(error_at(t).head<3>().norm(), 3e-3) << t;
+    // A tilt of gravity by 6 mrad and a bias of 0.06 m/s^2 look alike in 7 s; how it walks does not.
+    EXPECT_LT(error_at(t).tail<3>().norm(), 0.1) << t;
+    EXPECT_LT((error_at(t) - error_at(3.5)).tail<3>().norm(), 0.03) << t;
+  }
+}
+
 TEST(PoseEstimation, SameBytesForAnyThreads) {
   const Simulated data({.duration_s = 6.0});
   const Signal<Pose> poses = noisy_poses(data);

@@ -30,6 +30,8 @@ class PriorRows final : public Measurement {
   Parameter parameter_;
 };
 
+constexpr double kHold = 1e3;  // of the middle node, over the steps
+
 class BiasWalkRows final : public Measurement {
  public:
   BiasWalkRows(std::string name, std::size_t imu, const Vector6d& inverse_sigma)
@@ -40,12 +42,13 @@ class BiasWalkRows final : public Measurement {
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
     const BiasWalk& walk = state.bias_walks[imu_];
-    const auto steps = static_cast<Eigen::Index>(walk.node.size()) - 1;
-    rows.start(6 * steps);
+    const auto steps = static_cast<Eigen::Index>(walk.node.size()) - 1, middle = steps / 2;
+    rows.start(6 * steps + 6);
     for (Eigen::Index i = 0; i < steps; ++i) {
       const auto n = static_cast<std::size_t>(i);
       rows.r.segment<6>(6 * i) = inverse_sigma_.cwiseProduct(walk.node[n + 1] - walk.node[n]);
     }
+    rows.r.tail<6>() = kHold * inverse_sigma_.cwiseProduct(walk.node[static_cast<std::size_t>(middle)]);
     square(rows);
     if (!derivatives) return;
     for (const int column : columns.layout.bias[imu_]) rows.append(column, 6);
@@ -54,6 +57,7 @@ class BiasWalkRows final : public Measurement {
       rows.J.block<6, 6>(6 * i, 6 * i).diagonal() = -inverse_sigma_;
       rows.J.block<6, 6>(6 * i, 6 * i + 6).diagonal() = inverse_sigma_;
     }
+    rows.J.block<6, 6>(6 * steps, 6 * middle).diagonal() = kHold * inverse_sigma_;
   }
 
  private:

@@ -10,7 +10,8 @@ namespace vispline {
 /// The parameter stays within its treatment's sigma of the value it has in `start`.
 std::unique_ptr<Measurement> prior_measurement(const State& start, const Parameter& parameter);
 
-/// Steps between the nodes of a walking bias: K sqrt(spacing), K in rad/s^2/sqrt(Hz) and m/s^3/sqrt(Hz).
+/// Steps between the nodes of a walking bias: K sqrt(spacing), K in rad/s^2/sqrt(Hz) and m/s^3/sqrt(Hz). The node in
+/// the middle is held at zero: the constant bias is that of the middle of the recording.
 std::unique_ptr<Measurement> bias_walk_measurement(const State& state, std::size_t imu, double gyro_walk,
                                                    double accel_walk);
 

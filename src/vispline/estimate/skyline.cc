@@ -133,20 +133,21 @@ bool Skyline::factor() {
   return true;
 }
 
-Eigen::VectorXd Skyline::solve(const Eigen::VectorXd& b) const {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(tiles() * kTile);
-  x.head(size_) = b;
+Eigen::MatrixXd Skyline::solve(const Eigen::MatrixXd& B) const {
+  Eigen::MatrixXd X = Eigen::MatrixXd::Zero(tiles() * kTile, B.cols());
+  X.topRows(size_) = B;
+  const auto rows = [&](int tile) { return X.middleRows<kTile>(tile * kTile); };
   for (int i = 0; i < tiles(); ++i) {
-    auto x_i = x.segment<kTile>(i * kTile);
-    for (int j = first(i); j < i; ++j) x_i.noalias() -= tile(i, j) * x.segment<kTile>(j * kTile);
-    tile(i, i).triangularView<Eigen::Lower>().solveInPlace(x_i);
+    auto X_i = rows(i);
+    for (int j = first(i); j < i; ++j) X_i.noalias() -= tile(i, j) * rows(j);
+    tile(i, i).triangularView<Eigen::Lower>().solveInPlace(X_i);
   }
   for (int i = tiles() - 1; i >= 0; --i) {
-    auto x_i = x.segment<kTile>(i * kTile);
-    tile(i, i).transpose().triangularView<Eigen::Upper>().solveInPlace(x_i);
-    for (int j = first(i); j < i; ++j) x.segment<kTile>(j * kTile).noalias() -= tile(i, j).transpose() * x_i;
+    auto X_i = rows(i);
+    tile(i, i).transpose().triangularView<Eigen::Upper>().solveInPlace(X_i);
+    for (int j = first(i); j < i; ++j) rows(j).noalias() -= tile(i, j).transpose() * X_i;
   }
-  return x.head(size_);
+  return X.topRows(size_);
 }
 
 Eigen::MatrixXd Skyline::tail(int n) const {

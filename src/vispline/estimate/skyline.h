@@ -46,8 +46,8 @@ class Skyline {
 
   /// Cholesky in place; false if the matrix is not positive definite.
   bool factor();
-  /// After factor(): x with H x = b.
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// After factor(): X with H X = B.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
   /// After factor(): the last n rows and columns of the inverse, the covariance of the last n unknowns.
   Eigen::MatrixXd tail_of_inverse(int n) const;
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "vispline/estimate/flow_rotation.h"
 #include "vispline/estimate/gyro_rotation.h"
@@ -167,6 +166,7 @@ class TrackEstimator {
     state_.curve = make_curve(options_.curve, {used_.begin - margin, used_.end + margin}, [&](Time t) {
       return Pose{level * R_w_b(t), level * start.p_w(t)};
     });
+    if (options_.bias_walk) walk_biases(state_, used_, *options_.bias_walk);
     for (std::size_t t = 0; t < tracks_.size(); ++t) {
       const Sighting& reference = tracks_[t].sightings.front();
       const Camera& camera = state_.rig.cameras[reference.camera];
@@ -219,6 +219,7 @@ class TrackEstimator {
     const Time middle = used_.begin + (used_.end - used_.begin) / 2;
     problem.measurements.push_back(
         gauge_measurement({middle, start.curve->pose({middle}, false).T_w_b, gravity_free(problem.parameters)}));
+    add_bias_walks(problem);
     add_smoothness(problem);
     add_priors(problem);
     return problem;
@@ -262,27 +263,13 @@ class TrackEstimator {
     result_.solution = solve(result_.problem, options_.solve);
   }
 
-  /// Sizes of the noise from the residuals: of the IMUs by what the unknowns absorb, of the pixels by what the
-  /// landmarks do.
+  /// Sizes of the noise from the residuals.
   void rescale(const Problem& problem, const Solution& solution) {
     const auto fits = sensor_fits(problem, solution.state, solution.columns, options_.solve.threads);
     for (std::size_t i = 0; i < imu_sigma_.size(); ++i) {
       rescale_sigma(imu_sigma_[i], state_.rig.imus[i].name, fits);
     }
-    std::vector<double> chi2(sigma_px_.size()), dof(sigma_px_.size());
-    for (const Track& track : problem.tracks) {
-      const TrackResiduals residuals = evaluate_track(solution.state, problem.track_model, track);
-      const double own = static_cast<double>(problem.track_model.size()) / static_cast<double>(track.sightings.size());
-      for (std::size_t i = 0; i < track.sightings.size(); ++i) {
-        const double s = residuals.r[i].squaredNorm();
-        const std::size_t camera = track.sightings[i].camera;
-        chi2[camera] += problem.track_model.loss.weight(s) * s;
-        dof[camera] += 2.0 - own;
-      }
-    }
-    for (std::size_t c = 0; c < sigma_px_.size(); ++c) {
-      if (dof[c] > 0.0 && chi2[c] > 0.0) sigma_px_[c] *= std::sqrt(chi2[c] / dof[c]);
-    }
+    rescale_sigma(sigma_px_, problem, solution.state);
   }
 
   const Recording& recording_;
@@ -309,30 +296,6 @@ class TrackEstimator {
 
 Estimation estimate_with_tracks(const Rig& start, const Recording& recording, const TrackEstimationOptions& options) {
   return TrackEstimator(start, recording, options).run();
-}
-
-std::vector<Track> tracks_of(const Rig& rig, const Recording& recording, TimeSpan span, std::size_t least_sightings) {
-  std::map<std::uint64_t, std::vector<Sighting>> by_id;
-  for (std::size_t c = 0; c < rig.cameras.size(); ++c) {
-    const Camera& camera = rig.cameras[c];
-    const auto found = recording.features.find(camera.name);
-    if (found == recording.features.end()) continue;
-    for (std::size_t f = 0; f < found->second.size(); ++f) {
-      for (const Feature& feature : found->second.value[f]) {
-        const Time at = found->second.time[f] + from_seconds(camera.delay_s(feature.px));
-        if (!span.contains(at) || !camera.lens.unproject(feature.px)) continue;
-        by_id[feature.id].push_back({c, found->second.time[f], feature.px});
-      }
-    }
-  }
-  std::vector<Track> tracks;
-  for (auto& [id, sightings] : by_id) {
-    if (sightings.size() < least_sightings) continue;
-    std::stable_sort(sightings.begin(), sightings.end(),
-                     [](const Sighting& a, const Sighting& b) { return a.stamp < b.stamp; });
-    tracks.push_back({tracks.size(), std::move(sightings)});
-  }
-  return tracks;
 }
 
 }  // namespace vispline
