@@ -99,7 +99,7 @@ TEST(PoseEstimation, FollowsABiasThatWalks) {
     EXPECT_LT(error_at(t).head<3>().norm(), 3e-3) << t;
     // A tilt of gravity by 6 mrad and a bias of 0.06 m/s^2 look alike in 7 s; how it walks does not.
     EXPECT_LT(error_at(t).tail<3>().norm(), 0.1) << t;
-    EXPECT_LT((error_at(t) - error_at(3.5)).tail<3>().norm(), 0.03) << t;
+    EXPECT_LT((error_at(t) - error_at(3.5)).tail<3>().norm(), 0.05) << t;
   }
 }
 

@@ -65,16 +65,18 @@ class TrackEstimator {
   }
 
   /// A motion that nearly repeats has more than one offset that correlates well, and near points hide how a camera
-  /// turns: the best offset of all and the best of the usual ones are both followed until their costs tell.
+  /// turns: the best offset of all, the best of the usual ones and that of the rig are followed until their costs tell.
   void find_start() {
     for (const Imu& imu : state_.rig.imus) imu_sigma_.push_back(sigma_of(imu));
     for (const Camera& camera : state_.rig.cameras) sigma_px_.push_back(camera.pixel_sigma_px);
     const State begin = state_;
     std::optional<Start> best;
-    for (const std::optional<double> most_s : {std::optional<double>(), std::optional(kUsualOffset_s)}) {
+    for (const Clocks from : {Clocks::kBest, Clocks::kBestUsual, Clocks::kGiven}) {
       state_ = begin;
       stages_.clear();
-      clocks(most_s);
+      if (from != Clocks::kGiven && !options_.trust_clocks) {
+        clocks(from == Clocks::kBest ? std::nullopt : std::optional(kUsualOffset_s));
+      }
       if (best && same_clocks(best->clocks)) continue;
       const std::vector<double> clocks = clocks_of(state_.rig);
       if (!structure()) continue;
@@ -89,6 +91,8 @@ class TrackEstimator {
     tracks_ = std::move(best->tracks);
     result_.stages = std::move(best->stages);
   }
+
+  enum class Clocks { kBest, kBestUsual, kGiven };
 
   static std::vector<double> clocks_of(const Rig& rig) {
     std::vector<double> offsets;
@@ -107,7 +111,7 @@ class TrackEstimator {
   /// largest offset to look for.
   void clocks(std::optional<double> most_s) {
     for (std::size_t c = 0; c < state_.rig.cameras.size(); ++c) {
-      if (!features(c) || options_.trust_clocks) continue;
+      if (!features(c)) continue;
       Camera& camera = state_.rig.cameras[c];
       const ImuSignal rates = turning_rate(camera, *features(c));
       if (rates.size() < 20) continue;
@@ -123,7 +127,6 @@ class TrackEstimator {
       }
     }
     for (std::size_t i = 1; i < state_.rig.imus.size(); ++i) {
-      if (options_.trust_clocks) continue;
       const ImuComparison compared = compare_imu(imu(i), imu(0));
       Imu& other = state_.rig.imus[i];
       other.gyroscope.time_offset_s = other.accelerometer.time_offset_s = compared.time_offset_s;
