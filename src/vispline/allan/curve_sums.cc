@@ -33,7 +33,7 @@ std::vector<CurveSums> overlapping_curves(const AllanRecord& record, std::span<c
   }
   if (!record.held()) return curves;
   for (std::size_t segment = 0; segment < record.lengths().size(); ++segment) {
-    std::vector<std::vector<double>> phases(record.axes());
+    std::vector<Phase> phases(record.axes());
     parallel_for(record.axes(), threads, [&](std::size_t a) { phases[a] = record.phase(a, segment); });
     const std::vector<std::span<const double>> views(phases.begin(), phases.end());
     const auto sums = overlapping_sums(views, factors, threads);
@@ -48,7 +48,7 @@ CurveSums curve_sums(const AllanRecord& record, std::size_t axis, Deviation kind
                      std::span<const std::int64_t> factors) {
   CurveSums curve{{factors.begin(), factors.end()}, std::vector<SquaredSum>(factors.size())};
   for (std::size_t segment = 0; segment < record.lengths().size(); ++segment) {
-    const std::vector<double> phase = record.phase(axis, segment);
+    const Phase phase = record.phase(axis, segment);
     for (std::size_t i = 0; i < factors.size(); ++i) curve.sums[i] += squared_sum(kind, phase, factors[i]);
   }
   return curve;

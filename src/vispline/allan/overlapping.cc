@@ -9,38 +9,51 @@ namespace vispline {
 namespace {
 
 /// Starts k per block. Three windows of it and the running sums fit the first-level cache.
-constexpr std::size_t kBlock = 2048;
+constexpr std::size_t kBlock = 1024;
 /// Blocks per chunk of work; a chunk is what one thread takes.
-constexpr std::size_t kBlocksPerChunk = 32;
+constexpr std::size_t kBlocksPerChunk = 64;
 
-/// Four doubles: one register of AVX2, two of SSE2; the additions are the same.
+/// One register of AVX-512; one of AVX2, two of SSE2.
+using Octo __attribute__((vector_size(64))) = double;
 using Quad __attribute__((vector_size(32))) = double;
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define VISPLINE_WIDEST_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define VISPLINE_WIDEST_VECTORS
-#endif
-
-VISPLINE_WIDEST_VECTORS double block_sum(const double* a, const double* b, const double* c, std::size_t n) {
-  Quad sums[2]{}, x, y, z;
+/// Eight running sums, whatever the width of the registers: the additions are the same.
+template <class Vector>
+inline __attribute__((always_inline)) double sum_in(const double* a, const double* b, const double* c, std::size_t n) {
+  constexpr std::size_t kLanes = sizeof(Vector) / sizeof(double);
+  Vector sums[8 / kLanes]{}, x, y, z;
   std::size_t k = 0;
   for (; k + 8 <= n; k += 8) {
-    for (std::size_t half = 0; half < 2; ++half) {
-      std::memcpy(&x, a + k + 4 * half, sizeof x);
-      std::memcpy(&y, b + k + 4 * half, sizeof y);
-      std::memcpy(&z, c + k + 4 * half, sizeof z);
-      const Quad d = (z - y) - (y - x);
-      sums[half] += d * d;
+    for (std::size_t part = 0; part < 8 / kLanes; ++part) {
+      std::memcpy(&x, a + k + kLanes * part, sizeof x);
+      std::memcpy(&y, b + k + kLanes * part, sizeof y);
+      std::memcpy(&z, c + k + kLanes * part, sizeof z);
+      const Vector d = (z - y) - (y - x);
+      sums[part] += d * d;
     }
   }
-  double sum = 0.0;
-  for (std::size_t lane = 0; lane < 4; ++lane) sum += sums[0][lane] + sums[1][lane];
+  double lanes[8], sum = 0.0;
+  std::memcpy(lanes, sums, sizeof lanes);
+  for (std::size_t lane = 0; lane < 4; ++lane) sum += lanes[lane] + lanes[lane + 4];
   for (; k < n; ++k) {
     const double d = (c[k] - b[k]) - (b[k] - a[k]);
     sum += d * d;
   }
   return sum;
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+__attribute__((target("avx512f"))) double block_sum(const double* a, const double* b, const double* c, std::size_t n) {
+  return sum_in<Octo>(a, b, c, n);
+}
+__attribute__((target("avx2"))) double block_sum(const double* a, const double* b, const double* c, std::size_t n) {
+  return sum_in<Quad>(a, b, c, n);
+}
+__attribute__((target("default")))
+#endif
+double
+block_sum(const double* a, const double* b, const double* c, std::size_t n) {
+  return sum_in<Quad>(a, b, c, n);
 }
 
 /// Adds the sums of the starts [begin, end) for all factors; partial[i] belongs to factor i.

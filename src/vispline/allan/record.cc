@@ -82,7 +82,7 @@ std::int64_t AllanRecord::longest() const {
   return lengths_.empty() ? 0 : *std::max_element(lengths_.begin(), lengths_.end());
 }
 
-std::vector<double> AllanRecord::phase(std::size_t axis, std::size_t segment) const {
+Phase AllanRecord::phase(std::size_t axis, std::size_t segment) const {
   const auto begin = static_cast<std::size_t>(begins_[segment]), length = static_cast<std::size_t>(lengths_[segment]);
   const auto readings = std::span(axes_[axis].readings).subspan(begin, length);
   return phase_of(readings, 1.0, axes_[axis].moments.mean(samples_));

@@ -46,7 +46,7 @@ class AllanRecord {
   /// Of a record that is not held.
   const StreamCurve& stream(std::size_t axis) const { return *axes_[axis].stream; }
   /// Phase points of a segment of a held record at a rate of 1 Hz, the mean of the whole record taken off.
-  std::vector<double> phase(std::size_t axis, std::size_t segment) const;
+  Phase phase(std::size_t axis, std::size_t segment) const;
 
  private:
   struct Axis {
