@@ -37,9 +37,9 @@ const Axes& readings() {
   return axes;
 }
 
-const Axes& phases() {
-  static const Axes axes = [] {
-    Axes phase;
+const std::vector<Phase>& phases() {
+  static const std::vector<Phase> axes = [] {
+    std::vector<Phase> phase;
     for (const auto& axis : readings()) phase.push_back(phase_of(axis, kRate_hz, 0.0));
     return phase;
   }();
@@ -49,7 +49,7 @@ const Axes& phases() {
 std::vector<std::int64_t> factors() { return averaging_factors("log", kReadings, Deviation::kOadev); }
 
 void BM_StreamingTheBytes(benchmark::State& state) {
-  const Axes& axes = phases();
+  const std::vector<Phase>& axes = phases();
   for (auto _ : state) {
     double sum = 0.0;
     for (const auto& axis : axes) {
@@ -65,7 +65,7 @@ void BM_StreamingTheBytes(benchmark::State& state) {
 BENCHMARK(BM_StreamingTheBytes)->Unit(benchmark::kMillisecond);
 
 void BM_OnePassPerTau(benchmark::State& state) {
-  const Axes& axes = phases();
+  const std::vector<Phase>& axes = phases();
   for (auto _ : state) {
     double sum = 0.0;
     for (const std::int64_t m : factors()) {
@@ -77,7 +77,7 @@ void BM_OnePassPerTau(benchmark::State& state) {
 BENCHMARK(BM_OnePassPerTau)->Unit(benchmark::kMillisecond);
 
 void BM_OverlappingSums(benchmark::State& state) {
-  const Axes& axes = phases();
+  const std::vector<Phase>& axes = phases();
   const std::vector<std::span<const double>> views(axes.begin(), axes.end());
   for (auto _ : state) {
     benchmark::DoNotOptimize(overlapping_sums(views, factors(), static_cast<std::size_t>(state.range(0))));

@@ -95,8 +95,8 @@ std::vector<std::string> deviation_names() {
   return names;
 }
 
-std::vector<double> phase_of(std::span<const double> readings, double rate_hz, double mean) {
-  std::vector<double> phase(readings.size() + 1);
+Phase phase_of(std::span<const double> readings, double rate_hz, double mean) {
+  Phase phase(readings.size() + 1);
   const double step_s = 1.0 / rate_hz;
   double sum = 0.0;
   for (std::size_t k = 0; k < readings.size(); ++k) {

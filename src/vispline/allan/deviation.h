@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "vispline/allan/cache_aligned.h"
+
 namespace vispline {
 
 enum class Deviation {
@@ -39,7 +41,7 @@ struct SquaredSum {
 
 /// Phase points: n readings x_k [unit] at rate_hz -> n + 1 sums of (x - mean) / rate [unit s], starting at 0. The mean
 /// is the caller's: a deviation does not depend on it, its rounding does.
-std::vector<double> phase_of(std::span<const double> readings, double rate_hz, double mean);
+Phase phase_of(std::span<const double> readings, double rate_hz, double mean);
 
 /// Squared differences of kind over `phase` at averaging factor m >= 1; count 0 if the phase is too short.
 SquaredSum squared_sum(Deviation kind, std::span<const double> phase, std::int64_t m);

@@ -11,7 +11,7 @@
 namespace vispline {
 namespace {
 
-double value_of(Deviation kind, const std::vector<double>& phase, std::int64_t m) {
+double value_of(Deviation kind, std::span<const double> phase, std::int64_t m) {
   return deviation(kind, squared_sum(kind, phase, m), m, 1.0);
 }
 
@@ -22,7 +22,7 @@ struct Published {
 };
 
 TEST(Deviation, Nbs14ThousandPoints) {
-  const std::vector<double> phase = testing::nbs14_phase();
+  const Phase phase = testing::nbs14_phase();
   const Published table[] = {
       {Deviation::kAdev, 1, 2.922319e-1},    {Deviation::kAdev, 10, 9.965736e-2},
       {Deviation::kAdev, 100, 3.897804e-2},  {Deviation::kOadev, 1, 2.922319e-1},
@@ -45,7 +45,7 @@ TEST(Deviation, Nbs14ThousandPoints) {
 
 TEST(Deviation, Nbs14TenPoints) {
   const std::vector<double> y{892, 809, 823, 798, 671, 644, 883, 903, 677};
-  const std::vector<double> phase = phase_of(y, 1.0, 0.0);
+  const Phase phase = phase_of(y, 1.0, 0.0);
   const Published table[] = {
       {Deviation::kAdev, 1, 91.22945}, {Deviation::kAdev, 2, 115.8082},   {Deviation::kOadev, 2, 85.95287},
       {Deviation::kMdev, 2, 74.78849}, {Deviation::kTotdev, 1, 91.22945}, {Deviation::kTotdev, 2, 93.90379},
@@ -58,7 +58,7 @@ TEST(Deviation, Nbs14TenPoints) {
 }
 
 TEST(Deviation, CountsOfTheNistTable) {
-  const std::vector<double> phase = testing::nbs14_phase();
+  const Phase phase = testing::nbs14_phase();
   EXPECT_EQ(squared_sum(Deviation::kAdev, phase, 10).count, 99);
   EXPECT_EQ(squared_sum(Deviation::kOadev, phase, 10).count, 981);
   EXPECT_EQ(squared_sum(Deviation::kOadev, phase, 100).count, 801);

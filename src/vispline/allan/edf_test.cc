@@ -33,7 +33,7 @@ TEST(Edf, Stable32LimitsOfPhaseDat) {
                        {4, .13931, .14479, .15098},     {8, .10038, .10570, .11198},
                        {16, .057696, .061915, .067217}, {32, .043654, .048082, .054202},
                        {64, .031755, .036237, .043377}, {128, .023045, .027674, .037027}};
-  const std::vector<double> phase = testing::nbs14_phase();
+  const Phase phase = testing::nbs14_phase();
   for (const auto& [m, low, value, high] : table) {
     const double sigma = deviation(Deviation::kOadev, squared_sum(Deviation::kOadev, phase, m), m, 1.0);
     const auto factors = deviation_interval(edf_of(Deviation::kOadev, 0, m, 1001), 0.683);
@@ -61,7 +61,7 @@ TEST(Edf, NeverBelowOne) {
 }
 
 TEST(NoiseType, WhiteFrequencyOfNbs14) {
-  const std::vector<double> phase = testing::nbs14_phase();
+  const Phase phase = testing::nbs14_phase();
   for (const std::int64_t m : {1, 2, 4, 8}) EXPECT_EQ(noise_alpha(phase, m), 0) << m;
   EXPECT_FALSE(noise_alpha(phase, 64).has_value());
 }

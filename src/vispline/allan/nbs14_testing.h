@@ -20,7 +20,7 @@ inline std::vector<double> nbs14_frequencies() {
 }
 
 /// Its phase, mean taken off: 1001 points, tau0 = 1 s.
-inline std::vector<double> nbs14_phase() {
+inline Phase nbs14_phase() {
   const std::vector<double> y = nbs14_frequencies();
   return phase_of(y, 1.0, std::accumulate(y.begin(), y.end(), 0.0) / 1000.0);
 }

@@ -9,7 +9,7 @@
 
 namespace vispline {
 
-/// Sum over k of (phase[k + 2 m] - 2 phase[k + m] + phase[k])^2 for each factor m of each series:
+/// Sum over k of (phase[k + 2 m] - 2 phase[k + m] + phase[k])^2 for each of the distinct factors m of each series:
 /// result[series][factor]. All series have the same length. Exact: every start k counts. The same bytes for any number
 /// of threads and any vector unit: eight running sums a block, blocks added in order. docs/math/allan.md (2), Speed.
 std::vector<std::vector<SquaredSum>> overlapping_sums(std::span<const std::span<const double>> series,

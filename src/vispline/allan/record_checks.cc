@@ -215,17 +215,24 @@ void RecordChecks::check_drift(Diagnostics& found, double rate_hz) const {
 }
 
 void RecordChecks::check_spikes(Diagnostics& found, double rate_hz) const {
+  std::string axes;
+  std::int64_t all = 0, first = readings_;
   for (std::size_t a = 0; a < names_.size(); ++a) {
     if (spikes_[a] == 0) continue;
-    found.add(warning("W-SPIKE",
-                      std::to_string(spikes_[a]) + " readings of " + names_[a] + " lie over " + text(kSpike) +
-                          " standard deviations off, the first at " +
-                          text(static_cast<double>(first_spike_[a]) / rate_hz, 6) + " s",
-                      "they are used", "look for knocks, electrical faults or lost bytes"));
+    axes += (axes.empty() ? "" : ", ") + std::to_string(spikes_[a]) + " of " + names_[a];
+    all += spikes_[a];
+    first = std::min(first, first_spike_[a]);
   }
+  if (all == 0) return;
+  found.add(warning("W-SPIKE",
+                    std::to_string(all) + " readings lie over " + text(kSpike) + " standard deviations off: " + axes +
+                        "; the first at " + text(static_cast<double>(first) / rate_hz, 6) + " s",
+                    "they are used", "look for knocks, electrical faults or lost bytes"));
 }
 
 void RecordChecks::check_quantum(Diagnostics& found) const {
+  std::string axes;
+  double worst = 0.0;  ///< step over noise
   for (std::size_t a = 0; a < names_.size(); ++a) {
     const double quantum = quantum_of(sample_[a]);
     std::vector<double> spread;
@@ -234,13 +241,14 @@ void RecordChecks::check_quantum(Diagnostics& found) const {
     }
     const double noise = median(spread);
     if (quantum == 0.0 || quantum < 0.5 * noise) continue;
-    found.add(
-        warning("W-QUANTUM",
-                "readings of " + names_[a] + " come in steps of " + text(quantum) + ", their noise is " + text(noise),
-                quantum > 2.0 * noise ? "the steps hide the noise: the white noise printed is mostly theirs"
-                                      : "rounding adds step / sqrt(12) to the noise",
-                "choose a finer range of the sensor or more digits in the log"));
+    axes += (axes.empty() ? "" : "; ") + names_[a] + " " + text(quantum) + ", noise " + text(noise);
+    worst = std::max(worst, noise > 0.0 ? quantum / noise : HUGE_VAL);
   }
+  if (axes.empty()) return;
+  found.add(warning("W-QUANTUM", "readings come in steps that are coarse beside their noise: " + axes,
+                    worst > 2.0 ? "the steps hide the noise: the white noise printed is mostly theirs"
+                                : "rounding adds step / sqrt(12) to the noise",
+                    "choose a finer range of the sensor or more digits in the log"));
 }
 
 void RecordChecks::check_held(Diagnostics& found) const {

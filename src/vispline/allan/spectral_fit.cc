@@ -8,7 +8,7 @@
 namespace vispline {
 namespace {
 
-constexpr int kMaxSteps = 60;
+constexpr int kMaxSteps = 60, kMaxHalvings = 40;
 constexpr double kTolerance = 1e-4;  ///< of the log-likelihood; intervals look at differences of 0.5 and more
 constexpr std::size_t kRamp = static_cast<std::size_t>(Term::kRamp);
 
@@ -127,81 +127,85 @@ SpectralModel SpectralFit::first_guess(const TermMask& mask) const {
   return model;
 }
 
-FittedModel SpectralFit::maximise(const TermMask& mask, std::optional<Held> held, const SpectralModel* start) const {
-  TermMask free = mask;
+SpectralFit::Vector SpectralFit::scoring_step(const SpectralModel& model, const TermMask& free) const {
+  const auto [gradient, information] = score(model);
+  const Vector scale = information.diagonal().cwiseSqrt();
+  std::array<bool, kVariances> moves{};
+  for (std::size_t i = 0; i < kVariances; ++i) {
+    moves[i] = free[i] && (model.power[i] > 0.0 || gradient(static_cast<Eigen::Index>(i)) > 0.0);
+  }
+  for (bool blocked = true; blocked;) {
+    Matrix system = Matrix::Identity();
+    Vector move = Vector::Zero();
+    for (Eigen::Index i = 0; i < move.size(); ++i) {
+      if (!moves[static_cast<std::size_t>(i)]) continue;
+      move(i) = gradient(i) / scale(i);
+      for (Eigen::Index k = 0; k < move.size(); ++k) {
+        const bool both = moves[static_cast<std::size_t>(k)] && k != i;
+        if (both) system(i, k) = information(i, k) / std::sqrt(information(i, i) * information(k, k));
+      }
+    }
+    move = system.ldlt().solve(move).eval();
+    blocked = false;
+    for (Eigen::Index i = 0; i < move.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      move(i) = moves[k] ? move(i) / scale(i) : 0.0;
+      if (!moves[k] || model.power[k] > 0.0 || move(i) >= 0.0) continue;
+      moves[k] = false;
+      blocked = true;
+    }
+    if (!blocked) return move;
+  }
+  return Vector::Zero();
+}
+
+double SpectralFit::climb(const Vector& move, SpectralModel& model, double likelihood) const {
+  double length = 1.0;
+  for (int halving = 0; halving < kMaxHalvings; ++halving, length *= 0.5) {
+    SpectralModel next = model;
+    for (std::size_t i = 0; i < kVariances; ++i) {
+      const double step = length * move(static_cast<Eigen::Index>(i));
+      if (step != 0.0) next.power[i] = std::max(0.0, model.power[i] + step);
+    }
+    const double higher = log_likelihood(next);
+    if (!(higher > likelihood)) continue;
+    model = next;
+    return higher;
+  }
+  return likelihood;
+}
+
+SpectralModel SpectralFit::start_of(const TermMask& mask, const std::optional<Held>& held, const TermMask& free,
+                                    const SpectralModel* start) const {
   SpectralModel model = start ? *start : first_guess(mask);
   for (std::size_t i = 0; i < kVariances; ++i) {
     if (!mask[i]) model.power[i] = 0.0;
   }
+  if (!mask[kRamp]) model.ramp = 0.0;
   if (held) {
     const auto i = static_cast<std::size_t>(held->term);
-    free[i] = false;
-    if (i == kRamp) {
-      model.ramp = held->value;
-    } else {
-      model.power[i] = held->value;
-    }
+    (i == kRamp ? model.ramp : model.power[i]) = held->value;
   }
-  if (!mask[kRamp] && !(held && held->term == Term::kRamp)) model.ramp = 0.0;
+  if (std::isfinite(log_likelihood(model))) return model;
+  const SpectralModel guess = first_guess(mask);
+  for (std::size_t i = 0; i < kVariances; ++i) {
+    if (free[i]) model.power[i] = guess.power[i];
+  }
+  return model;
+}
+
+FittedModel SpectralFit::maximise(const TermMask& mask, std::optional<Held> held, const SpectralModel* start) const {
+  TermMask free = mask;
+  if (held) free[static_cast<std::size_t>(held->term)] = false;
+  SpectralModel model = start_of(mask, held, free, start);
   double best = log_likelihood(model);
-  if (!std::isfinite(best)) {
-    const SpectralModel guess = first_guess(mask);
-    for (std::size_t i = 0; i < kVariances; ++i) {
-      if (free[i]) model.power[i] = guess.power[i];
-    }
-    best = log_likelihood(model);
-  }
   for (int step = 0; step < kMaxSteps; ++step) {
     const double before = best;
     if (free[kRamp]) {
       model.ramp = best_ramp(model);
       best = log_likelihood(model);
     }
-    // Fisher scoring in the powers; a power at zero stays there while its gradient points outwards.
-    const auto [gradient, information] = score(model);
-    std::array<bool, kVariances> moves{};
-    for (std::size_t i = 0; i < kVariances; ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      moves[i] = free[i] && (model.power[i] > 0.0 || gradient(k) > 0.0);
-    }
-    Vector move = Vector::Zero();
-    for (int attempt = 0; attempt < 4; ++attempt) {
-      Matrix system = Matrix::Identity();
-      Vector right = Vector::Zero();
-      for (Eigen::Index i = 0; i < 4; ++i) {
-        if (!moves[static_cast<std::size_t>(i)]) continue;
-        right(i) = gradient(i) / std::sqrt(information(i, i));
-        for (Eigen::Index k = 0; k < 4; ++k) {
-          if (moves[static_cast<std::size_t>(k)] && k != i) {
-            system(i, k) = information(i, k) / std::sqrt(information(i, i) * information(k, k));
-          }
-        }
-      }
-      move = system.ldlt().solve(right);
-      bool blocked = false;
-      for (Eigen::Index i = 0; i < 4; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        move(i) = moves[k] ? move(i) / std::sqrt(information(i, i)) : 0.0;
-        if (moves[k] && model.power[k] == 0.0 && move(i) < 0.0) {
-          moves[k] = false;
-          blocked = true;
-        }
-      }
-      if (!blocked) break;
-    }
-    double length = 1.0;
-    for (int halving = 0; halving < 40; ++halving, length *= 0.5) {
-      SpectralModel next = model;
-      for (std::size_t i = 0; i < kVariances; ++i) {
-        if (moves[i]) next.power[i] = std::max(0.0, model.power[i] + length * move(static_cast<Eigen::Index>(i)));
-      }
-      const double likelihood = log_likelihood(next);
-      if (likelihood > best) {
-        best = likelihood;
-        model = next;
-        break;
-      }
-    }
+    best = climb(scoring_step(model, free), model, best);
     if (best - before <= kTolerance) break;
   }
   return {model, best};

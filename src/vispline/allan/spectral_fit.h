@@ -64,6 +64,13 @@ class SpectralFit {
   double log_likelihood(const SpectralModel& model) const;
   double best_ramp(const SpectralModel& model) const;
   SpectralModel first_guess(const TermMask& mask) const;
+  /// `start`, or a guess, with what is not in the mask at zero and what is held in its place.
+  SpectralModel start_of(const TermMask& mask, const std::optional<Held>& held, const TermMask& free,
+                         const SpectralModel* start) const;
+  /// Fisher scoring in the free powers; a power at zero stays there while its step points outwards.
+  Vector scoring_step(const SpectralModel& model, const TermMask& free) const;
+  /// Moves the model by the longest of `move`, half, a quarter, .. that raises the likelihood; returns the likelihood.
+  double climb(const Vector& move, SpectralModel& model, double likelihood) const;
 
   std::span<const SpectralCell> cells_;
   std::vector<double> weights_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kFirstStrided = 32;  ///< factors of the upper levels, in points of the level
 constexpr std::size_t kHistory = 2 * (2 * kFirstStrided - 1);
-constexpr std::size_t kBatch = 4096;
+constexpr std::size_t kBatch = 4096;  ///< points summed at once, of any level: the same for blocks of any size
 
 }  // namespace
 
@@ -50,8 +50,8 @@ void StreamCurve::push_phase(std::size_t index, std::span<const double> points) 
     for (const double point : points) {
       level.phase.push_back(point);
       if (level.seen++ % 2 == 0) level.pending.push_back(point);
+      if (level.phase.size() - level.fresh == kBatch) use(level);
     }
-    if (level.phase.size() - level.fresh >= (index == 0 ? kBatch : 1)) use(level);
     if (level.seen > 2) halved.swap(level.pending);
   }
   if (!halved.empty()) push_phase(index + 1, halved);

@@ -239,5 +239,18 @@ TEST(ReadImu, UnitsAndDeadAxes) {  // rows 26 - 30
   });
 }
 
+TEST(ReadImu, GapsAreOneWarning) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("imu.csv", edited([](Rows& r) {
+                                          for (std::size_t i = 700; i < r.size(); ++i) r[i].t += 0.2;
+                                          for (std::size_t i = 1000; i < r.size(); ++i) r[i].t += 0.5;
+                                        }));
+  const auto read = read_imu(path);
+  ASSERT_EQ(read.diagnostics.counts().at("W-GAP"), 1);
+  const std::string text = to_text(read.diagnostics.examples().front());
+  EXPECT_NE(text.find("2 gaps, 0.7"), std::string::npos) << text;
+  EXPECT_NE(text.find(":1002"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace vispline

@@ -99,15 +99,28 @@ void RateCheck::judge_gaps() {
   const std::int64_t limit = std::max(10 * median_step(), kMinGap);
   for (const Gap& gap : long_steps_) {
     if (gap.step <= limit) continue;
-    context_.warn("W-GAP", "gap of " + seconds(gap.step) + " after t = " + seconds(gap.after),
-                  context_.where_line(gap.where), "nothing is put in its place");
+    ++gaps_;
+    in_gaps_ += gap.step;
+    if (gap.step > longest_.step) longest_ = gap;
   }
   long_steps_.clear();
+}
+
+void RateCheck::tell_gaps() {
+  if (gaps_ == 0) return;
+  const std::string size = seconds(longest_.step), after = "after t = " + seconds(longest_.after);
+  context_.warn("W-GAP",
+                gaps_ == 1 ? "gap of " + size + " " + after
+                           : std::to_string(gaps_) + " gaps, " + seconds(in_gaps_) + " in all; the longest, " + size +
+                                 ", " + after,
+                context_.where_line(longest_.where),
+                gaps_ == 1 ? "nothing is put in its place" : "nothing is put in their place");
 }
 
 void RateCheck::judge() {
   if (rows_ < kMinRows) return;
   judge_gaps();
+  tell_gaps();
   const std::int64_t step = median_step();
   std::vector<std::int64_t> steps = steps_.values();
   const double change = rate_change(steps);

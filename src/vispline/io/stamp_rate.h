@@ -23,7 +23,7 @@ class RateCheck {
     last_ = ns;
   }
 
-  /// After the last stamp. W-GAP for each step above max(10 median steps, 0.1 s); W-TIME-PRECISION if all steps are
+  /// After the last stamp. One W-GAP for the steps above max(10 median steps, 0.1 s); W-TIME-PRECISION if all steps are
   /// multiples of one coarse step; W-RATE for jitter above 20 %, more than 0.1 % lost samples, or halves whose rates
   /// differ by more than 2 %. Nothing for fewer than ten stamps.
   void judge();
@@ -38,12 +38,15 @@ class RateCheck {
 
   void add_step(std::int64_t ns, std::int64_t where);
   void judge_gaps();
+  void tell_gaps();
 
   ReadContext& context_;
   std::int64_t rows_ = 0;
   std::int64_t last_ = 0;
   EvenSample<std::int64_t> steps_;
   std::vector<Gap> long_steps_;  ///< that may turn out to be gaps
+  std::int64_t gaps_ = 0, in_gaps_ = 0;
+  Gap longest_{0, 0, 0};
 };
 
 }  // namespace vispline
