@@ -21,6 +21,7 @@ constexpr int kNoiseRounds = 3;
 constexpr double kNearLambda = 1e-9;     // where only sizes of noise, or the number of images, have changed
 constexpr double kImuScaleSigma = 0.02;  // what MEMS sensors are off by, in scale and in rad
 constexpr std::size_t kPoseChunk = 16;
+constexpr std::size_t kPosePoints = 40;  // that are enough for the start pose of an image
 
 /// Poses of one camera in the frame of the target, one an image.
 struct CameraPoses {
@@ -35,10 +36,12 @@ CameraPoses poses_of(const Camera& camera, const FeatureSignal& features, const 
     for (std::size_t f = chunk * kPoseChunk; f < std::min(features.size(), (chunk + 1) * kPoseChunk); ++f) {
       std::vector<Vector2d> px;
       std::vector<Vector3d> point;
-      for (const Feature& feature : features.value[f]) {
-        const auto found = target.find(feature.id);
+      const std::vector<Feature>& seen = features.value[f];
+      const std::size_t stride = std::max<std::size_t>(1, seen.size() / kPosePoints);
+      for (std::size_t i = 0; i < seen.size(); i += stride) {
+        const auto found = target.find(seen[i].id);
         if (found == target.end()) continue;
-        px.push_back(feature.px);
+        px.push_back(seen[i].px);
         point.push_back(found->second);
       }
       if (px.size() >= 4) pose[f] = camera_pose(camera, px, point);

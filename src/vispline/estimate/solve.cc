@@ -44,16 +44,18 @@ void finish(Problem& problem, const SolveOptions& options, Solution& solution) {
 
 void minimize(Problem& problem, const SolveOptions& options, Solution& solution) {
   Damping damping(options.first_lambda);
-  whiten(problem, solution.state, options.threads);
-  CostAt at = cost_at(problem, solution.state, solution.columns, options.threads);
-  solution.first_cost = at.cost;
-  bool done = !std::isfinite(at.cost);
-  if (done) solution.status = SolveStatus::kFailed;
+  CostAt at;
+  bool done = false;
   int iteration = 0;
   while (!done && iteration < options.max_iterations) {
     whiten(problem, solution.state, options.threads);
     const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
     at = {equations.cost(), equations.lost()};
+    if (iteration == 0) solution.first_cost = at.cost;
+    if (!std::isfinite(at.cost)) {
+      solution.status = SolveStatus::kFailed;
+      break;
+    }
     for (bool accepted = false; !accepted && !done && iteration < options.max_iterations;) {
       IterationRow row{++iteration, at.cost, 0.0, 0.0, damping.lambda(), false};
       const auto step = equations.step(damping.lambda());

@@ -220,18 +220,13 @@ class TrackEstimator {
     problem.tracks = tracks_;
     problem.track_model = {options_.unknowns, sigma_px_, {options_.huber_sigmas}};
     const Time middle = used_.begin + (used_.end - used_.begin) / 2;
+    const auto* gravity = find_parameters(problem.parameters, "gravity.direction").front();
     problem.measurements.push_back(
-        gauge_measurement({middle, start.curve->pose({middle}, false).T_w_b, gravity_free(problem.parameters)}));
+        gauge_measurement({middle, start.curve->pose({middle}, false).T_w_b, gravity->treatment.role != Role::kFixed}));
     add_bias_walks(problem);
     add_smoothness(problem);
     add_priors(problem);
     return problem;
-  }
-
-  static bool gravity_free(const std::vector<Parameter>& parameters) {
-    return std::any_of(parameters.begin(), parameters.end(), [](const Parameter& p) {
-      return p.name == "gravity.direction" && p.treatment.role != Role::kFixed;
-    });
   }
 
   SolveOptions quick() const {
