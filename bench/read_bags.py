@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reading speed of every container: vispline beside rosbags and mcap (PyPI), in one run.
 
-usage: python3 bench/read_bags.py [--hours 3] [--build build/release] [--work build/read_bags]
+usage: python3 bench/read_bags.py [--hours 3] [--build build/release] [--work build/read_bags] [--only CASE]
 
 Writes an Imu recording of that length at 200 Hz with vispline in each container and compression, reads each with
 `vispline info` (checks and statistics of every sample), with bench/bag_reader (every Imu message decoded, as the others
@@ -107,6 +107,7 @@ def main():
     parser.add_argument("--hours", type=float, default=3.0)
     parser.add_argument("--build", default="build/release")
     parser.add_argument("--work", default="build/read_bags")
+    parser.add_argument("--only", default="", help="one case, such as 'rosbag lz4'")
     arguments = parser.parse_args()
     work = pathlib.Path(arguments.work)
     work.mkdir(parents=True, exist_ok=True)
@@ -115,6 +116,8 @@ def main():
     files = make(program, python, work, arguments.hours)
     print(f"{'container':20} {'MB':>7}  {'reader':10} {'wall s':>8} {'CPU s':>8} {'MB/CPU s':>9} {'peak MB':>8}")
     for (container, compression), path in files.items():
+        if arguments.only not in ("", f"{container} {compression}"):
+            continue
         megabytes = size_of(path) / 1e6
         readers = {"info": [program, "info", str(path)], "vispline": [str(bench / "bag_reader"), str(path)]}
         if container == "rosbag" and (bench / "rosbag_storage_reader").exists():

@@ -34,13 +34,14 @@ FileInfo info_of_recording(const std::string& path, const ReadOptions& options) 
   return info;
 }
 
-/// movie_metadata.csv of the MARS logger stands beside the samples.
-std::optional<Readout> readout_of(const std::string& path) {
+/// Of the formats that tell it. The MARS logger has it in movie_metadata.csv beside the samples.
+std::optional<Readout> readout_of(const std::string& path, const std::vector<SignalSurvey>& signals) {
   namespace fs = std::filesystem;
-  if (!fs::is_regular_file(path)) return std::nullopt;
   const fs::path beside = fs::path(path).parent_path() / "movie_metadata.csv";
-  const bool mars = fs::path(path).filename() == "gyro_accel.csv" && fs::is_regular_file(beside);
-  return read_readout(mars ? beside.string() : path);
+  if (fs::path(path).filename() == "gyro_accel.csv" && fs::is_regular_file(beside))
+    return read_readout(beside.string());
+  const bool tells = !signals.empty() && (signals[0].format == "gopro" || signals[0].format == "gcsv");
+  return tells ? read_readout(path) : std::nullopt;
 }
 
 /// What keeps other verbs from using one signal of many is a finding here. The only one that was asked for ends the
@@ -83,7 +84,7 @@ void run(InfoFlags& flags) {
     info = info_of_recording(flags.path, options);
   } else {
     info.signals = survey_tables(flags.path, options, reading_progress("reading"));
-    info.readout = readout_of(flags.path);
+    info.readout = readout_of(flags.path, info.signals);
   }
   const bool named = !options.topic.empty() || !options.gyro_topic.empty();
   account(info, named, flags.session);

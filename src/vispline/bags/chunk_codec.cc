@@ -135,6 +135,15 @@ std::string encode_bz2(std::string_view in) {
   return out;
 }
 
+/// The only frames that ROS's own reader of rosbags takes (roslz4): blocks that stand alone, a checksum of the whole.
+LZ4F_preferences_t frames_of_ros() {
+  LZ4F_preferences_t preferences = LZ4F_INIT_PREFERENCES;
+  preferences.frameInfo.blockSizeID = LZ4F_max1MB;
+  preferences.frameInfo.blockMode = LZ4F_blockIndependent;
+  preferences.frameInfo.contentChecksumFlag = LZ4F_contentChecksumEnabled;
+  return preferences;
+}
+
 }  // namespace
 
 std::optional<Codec> codec_named(std::string_view name) {
@@ -188,9 +197,10 @@ std::string encode(Codec codec, std::string_view in) {
   if (codec == Codec::kNone) return std::string(in);
   if (codec == Codec::kBz2) return encode_bz2(in);
   const bool zstd = codec == Codec::kZstd;
-  std::string out(zstd ? ZSTD_compressBound(in.size()) : LZ4F_compressFrameBound(in.size(), nullptr), '\0');
+  const LZ4F_preferences_t ros = frames_of_ros();
+  std::string out(zstd ? ZSTD_compressBound(in.size()) : LZ4F_compressFrameBound(in.size(), &ros), '\0');
   const std::size_t size = zstd ? ZSTD_compress(out.data(), out.size(), in.data(), in.size(), ZSTD_CLEVEL_DEFAULT)
-                                : LZ4F_compressFrame(out.data(), out.size(), in.data(), in.size(), nullptr);
+                                : LZ4F_compressFrame(out.data(), out.size(), in.data(), in.size(), &ros);
   require((zstd ? ZSTD_isError(size) : LZ4F_isError(size)) == 0, "memory to compress a chunk");
   out.resize(size);
   return out;

@@ -12,6 +12,7 @@
 namespace vispline::gopro {
 namespace {
 
+constexpr double kRounding = 1e-6;                           // s, of a clock that starts at zero
 constexpr double kMaxSeconds = 4e9;                          // differences stay below 2^63 ns
 constexpr std::size_t kMostPayloads = std::size_t{1} << 21;  // 24 days
 
@@ -96,6 +97,7 @@ FittedClock clock_of(ReadContext& context, const Survey& found, const Series& se
                    "read the video that it comes from");
     }
   }
+  if (clock && clock->start_s < 0.0 && clock->start_s > -kRounding) clock->start_s = 0.0;
   const double rate = clock ? 1.0 / clock->period_s : 0.0;
   const double last = clock ? clock->start_s + clock->period_s * static_cast<double>(series.count.next) : 0.0;
   if (!(rate >= 1.0 && rate <= 1e5) || !(std::abs(clock->start_s) < kMaxSeconds && last < kMaxSeconds)) {

@@ -44,6 +44,7 @@ bool Payloads::each_bare(const Visit& visit, const ReadProgress& progress) const
   Window window(input_, kReadAhead);
   bool damaged = false;
   mp4::Payload payload{.end_s = kPayloadSeconds};
+  std::int64_t number = 0;
   while (payload.offset < input_.size()) {
     const Bytes head = window.view(payload.offset, kHead);
     const auto bytes = gpmf::bytes_of(head);
@@ -53,8 +54,8 @@ bool Payloads::each_bare(const Visit& visit, const ReadProgress& progress) const
     for (const gpmf::Device& device : gpmf::parse(window.view(payload.offset, payload.size), damaged)) {
       if (!visit(device, payload)) return damaged;
       if (!device.gyro && !device.accel) continue;
-      payload.start_s = payload.end_s;
-      payload.end_s += kPayloadSeconds;
+      payload.start_s = kPayloadSeconds * static_cast<double>(++number);
+      payload.end_s = kPayloadSeconds * static_cast<double>(number + 1);
     }
     payload.offset += kHead + (*bytes + 3) / 4 * 4;
     if (progress) progress(std::min(payload.offset, input_.size()), input_.size());

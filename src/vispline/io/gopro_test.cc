@@ -41,6 +41,17 @@ TEST(Gopro, BarePayloadsAreSpreadWithAWarning) {
   EXPECT_NEAR(static_cast<double>(to_ns(read.value.time[20])), 1.001e9, 1.0);
 }
 
+// Memory is that of some windows, however long the recording is, and no sample is lost to rounding.
+TEST(Gopro, LongRecordingInWindows) {
+  std::string bytes;
+  for (int i = 0; i < 3000; ++i) bytes += small_gopro_payload(i, false);
+  const auto read =
+      gopro::stream(Input::from_memory(bytes, "long"), {}, kNoSink, {.window_rows = 64, .whole_imu = true});
+  EXPECT_EQ(read.counts.read, 60000);
+  EXPECT_EQ(read.counts.kept, 60000);
+  EXPECT_LE(read.largest_window, 8u * 64u);
+}
+
 TEST(Gopro, AxesByFlag) {
   const ScratchFolder folder;
   const std::string path = folder.write("v.mp4", small_gopro_mp4());

@@ -58,6 +58,9 @@ ImuCalibration calibration_of(const Imu& imu, std::vector<std::string>& notes) {
     notes.push_back(imu.name + ": the time offset of its gyroscope, " + dialect::brief(gyro.time_offset_s) +
                     " s, stands for both triads");
   }
+  if (imu.noise.gyro.walk <= 0.0 || imu.noise.accel.walk <= 0.0) {
+    notes.push_back(imu.name + ": a random walk of 0 is left out; set it by hand for tools that ask for one");
+  }
   if (!gyro.bias.isZero(0.0) || !accel.bias.isZero(0.0)) notes.push_back(imu.name + ": its biases are lost");
   ImuCalibration calibration{.T_i_b = accel.T_b_i.inverse(), .time_offset = gyro.time_offset_s};
   calibration.noise = {.gyro_white = imu.noise.gyro.white,

@@ -17,8 +17,9 @@ TEST(RigSource, OurOwnFileIsOneToo) {
   const CalibrationSource source = read_rig_source(json);
   EXPECT_EQ(source.reading.dialect, "vispline");
   EXPECT_EQ(source.paths, std::vector<std::string>{folder.path("rig.yaml")});
-  ASSERT_EQ(source.notes.size(), 1u);
-  EXPECT_EQ(source.notes[0], "imu0: its biases are lost");
+  ASSERT_EQ(source.notes.size(), 2u);
+  EXPECT_EQ(source.notes[0], "imu0: a random walk of 0 is left out; set it by hand for tools that ask for one");
+  EXPECT_EQ(source.notes[1], "imu0: its biases are lost");
   const CameraCalibration& camera = source.reading.rig.cameras.at(0);
   EXPECT_EQ(camera.line_delay, document.rig.cameras[0].shutter.line_delay_s);
   EXPECT_EQ(camera.timeshift_cam_imu, document.rig.cameras[0].time_offset_s);
