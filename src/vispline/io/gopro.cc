@@ -200,6 +200,10 @@ ImuStreamResult stream(const Input& input, const ReadOptions& options, const Imu
   context.name_places(", sample ");
   accel_context.name_places(", accelerometer sample ");
   const Payloads payloads(input);
+  if (!payloads.has_track() && payloads.is_damaged()) {
+    context.fail(ExitCode::kInput, "E-CORRUPT", "the video is cut or damaged, and what is left has no gpmd track",
+                 context.path(), "get the file again, or mend its index with a tool for MP4");
+  }
   if (!payloads.has_track()) {
     context.fail(ExitCode::kInput, "E-FORMAT", "a video without a gpmd track", context.path(),
                  "only GoPro videos carry the readings of an IMU in a form that is known");

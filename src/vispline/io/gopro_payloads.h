@@ -22,6 +22,8 @@ class Payloads {
   bool is_timed() const { return is_mp4_; }
   /// A video without a gpmd track has none.
   bool has_track() const { return !is_mp4_ || !telemetry_.payloads.empty(); }
+  /// A box of the video leaves its place, or the file.
+  bool is_damaged() const { return telemetry_.damaged; }
   /// The GPMF box for the whole recording; empty: there is none.
   const std::string& settings() const { return telemetry_.settings; }
 

@@ -90,6 +90,19 @@ TEST(Gopro, CutAtEveryByte) {
   }
 }
 
+// The index of a video stands at its end.
+TEST(Gopro, VideoThatIsCut) {
+  const ScratchFolder folder;
+  const std::string whole = small_gopro_mp4();
+  const auto read =
+      read_imu(folder.write("v.mp4", whole.substr(0, whole.size() - 4)));  // the place of the last payload
+  EXPECT_EQ(read.counts.kept, 40);
+  EXPECT_EQ(read.diagnostics.counts().at("W-CORRUPT"), 1);
+  const Outcome before = imu_outcome(folder.write("w.mp4", whole.substr(0, whole.size() / 2)));
+  EXPECT_EQ(before.codes, "E-CORRUPT");
+  EXPECT_EQ(before.exit, 3);
+}
+
 TEST(SampleClock, LeastSquaresOfALine) {
   std::vector<ClockPoint> points;
   for (int i = 0; i < 9; ++i) points.push_back({198 * i + 5, 1e6 + 0.0050633 * (198 * i + 5) + (i % 2 ? 1e-4 : -1e-4)});
