@@ -138,7 +138,7 @@ std::string encode_bz2(std::string_view in) {
 /// The only frames that ROS's own reader of rosbags takes (roslz4): blocks that stand alone, a checksum of the whole.
 LZ4F_preferences_t frames_of_ros() {
   LZ4F_preferences_t preferences = LZ4F_INIT_PREFERENCES;
-  preferences.frameInfo.blockSizeID = LZ4F_max1MB;
+  preferences.frameInfo.blockSizeID = LZ4F_max64KB;
   preferences.frameInfo.blockMode = LZ4F_blockIndependent;
   preferences.frameInfo.contentChecksumFlag = LZ4F_contentChecksumEnabled;
   return preferences;
