@@ -5,6 +5,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "vispline/core/error.h"
 
@@ -93,10 +94,30 @@ class Lz4Decoder final : public Decoder {
   bool ready_ = false;
 };
 
+/// One idle zstd stream of each thread: a recording of messages that are compressed one by one needs millions, and
+/// making one costs more than a message does.
+class IdleStream {
+ public:
+  ~IdleStream() { ZSTD_freeDStream(stream_); }
+  ZSTD_DStream* take() { return stream_ != nullptr ? std::exchange(stream_, nullptr) : ZSTD_createDStream(); }
+  /// Kept unless it has grown large.
+  void give(ZSTD_DStream* stream) {
+    constexpr std::size_t kLargest = std::size_t{4} << 20;
+    const bool keep = stream_ == nullptr && stream != nullptr && ZSTD_sizeof_DStream(stream) <= kLargest &&
+                      ZSTD_isError(ZSTD_DCtx_reset(stream, ZSTD_reset_session_and_parameters)) == 0;
+    if (!keep) return static_cast<void>(ZSTD_freeDStream(stream));
+    stream_ = stream;
+  }
+
+ private:
+  ZSTD_DStream* stream_ = nullptr;
+};
+thread_local IdleStream idle_stream;
+
 class ZstdDecoder final : public Decoder {
  public:
-  ZstdDecoder() : stream_(ZSTD_createDStream()) {}
-  ~ZstdDecoder() override { ZSTD_freeDStream(stream_); }
+  ZstdDecoder() : stream_(idle_stream.take()) {}
+  ~ZstdDecoder() override { idle_stream.give(stream_); }
   ZstdDecoder(const ZstdDecoder&) = delete;
   ZstdDecoder& operator=(const ZstdDecoder&) = delete;
 
