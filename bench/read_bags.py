@@ -119,7 +119,7 @@ def main():
         if arguments.only not in ("", f"{container} {compression}"):
             continue
         megabytes = size_of(path) / 1e6
-        readers = {"info": [program, "info", str(path)], "vispline": [str(bench / "bag_reader"), str(path)]}
+        readers = {"info": [program, "info", str(path)], "bag_reader": [str(bench / "bag_reader"), str(path)]}
         if container == "rosbag" and (bench / "rosbag_storage_reader").exists():
             readers["librosbag"] = [str(bench / "rosbag_storage_reader"), str(path)]
         readers["rosbags"] = [python, "-c", ROSBAGS, str(path)]

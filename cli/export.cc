@@ -101,7 +101,9 @@ void run(ExportFlags& flags) {
 void add_export(CLI::App& app) {
   auto flags = std::make_shared<ExportFlags>();
   CLI::App* verb = app.add_subcommand("export", "a calibration in the files of another tool");
-  verb->add_option("calibration", flags->path, "file of any of these tools, a rig file, or the folder or result.json of a result")->required();
+  verb->add_option("calibration", flags->path,
+                   "file of any of these tools, a rig file, or the folder or result.json of a result")
+      ->required();
   verb->add_option("--for", flags->tool, "the tool")->required()->check(CLI::IsMember(rig_dialects()));
   verb->add_option("--out", flags->out, "its file (others of its set are written beside it), or a folder")
       ->required()

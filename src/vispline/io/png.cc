@@ -59,8 +59,8 @@ GreyImage decode_png(std::string_view bytes, const std::string& name) {
   if (std::uint64_t{png.image.width} * png.image.height > kMostPixels) {
     throw Error(ExitCode::kLimit,
                 {.code = "E-LIMIT",
-                 .message = "the image in " + vispline::quoted(name) + " has " + std::to_string(png.image.width) + " x " +
-                            std::to_string(png.image.height) + " pixels",
+                 .message = "the image in " + vispline::quoted(name) + " has " + std::to_string(png.image.width) +
+                            " x " + std::to_string(png.image.height) + " pixels",
                  .where = name,
                  .effect = "image not read",
                  .next = "at most 2^26 pixels are read"});
