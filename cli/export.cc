@@ -7,8 +7,8 @@
 #include "flags.h"
 #include "validators.h"
 #include "verbs.h"
-#include "vispline/calibration/calibration_source.h"
 #include "vispline/calibration/noise_files.h"
+#include "vispline/io/rig_source.h"
 
 namespace vispline::cli {
 namespace {
@@ -73,9 +73,9 @@ void print(const ExportFlags& flags, const std::vector<std::string>& places, con
 }
 
 void run(ExportFlags& flags) {
-  CalibrationSource source = read_calibration(flags.path, flags.imu, flags.read);
+  CalibrationSource source = read_rig_source(flags.path, flags.imu, flags.read);
   RigCalibration& rig = source.reading.rig;
-  std::vector<std::string> lost, todo;
+  std::vector<std::string> lost = source.notes, todo;
   if (flags.bake_timeshift) todo = bake_timeshift(rig);
   const std::vector<NamedText> files = files_of(flags.tool, rig);
   if (source.paths.size() > 1) lost.push_back("the IMU is that of " + source.paths[1]);
@@ -101,7 +101,9 @@ void run(ExportFlags& flags) {
 void add_export(CLI::App& app) {
   auto flags = std::make_shared<ExportFlags>();
   CLI::App* verb = app.add_subcommand("export", "a calibration in the files of another tool");
-  verb->add_option("calibration", flags->path, "file of any of these tools, or the folder of a result")->required();
+  verb->add_option("calibration", flags->path,
+                   "file of any of these tools, a rig file, or the folder or result.json of a result")
+      ->required();
   verb->add_option("--for", flags->tool, "the tool")->required()->check(CLI::IsMember(rig_dialects()));
   verb->add_option("--out", flags->out, "its file (others of its set are written beside it), or a folder")
       ->required()

@@ -1,4 +1,5 @@
 // vispline info FILE: what a file holds, and what is odd about it.
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -33,6 +34,16 @@ FileInfo info_of_recording(const std::string& path, const ReadOptions& options) 
   return info;
 }
 
+/// Of the formats that tell it. The MARS logger has it in movie_metadata.csv beside the samples.
+std::optional<Readout> readout_of(const std::string& path, const std::vector<SignalSurvey>& signals) {
+  namespace fs = std::filesystem;
+  const fs::path beside = fs::path(path).parent_path() / "movie_metadata.csv";
+  if (fs::path(path).filename() == "gyro_accel.csv" && fs::is_regular_file(beside))
+    return read_readout(beside.string());
+  const bool tells = !signals.empty() && (signals[0].format == "gopro" || signals[0].format == "gcsv");
+  return tells ? read_readout(path) : std::nullopt;
+}
+
 /// What keeps other verbs from using one signal of many is a finding here. The only one that was asked for ends the
 /// program if it cannot be read.
 bool ends_the_program(const SignalSurvey& signal, const FileInfo& info, bool named) {
@@ -53,6 +64,7 @@ void account(const FileInfo& info, bool named, Session& session) {
       continue;
     }
     if (ends_the_program(signal, info, named)) continue;
+    session.context.inputs.push_back({signal.name, signal.counts});
     Diagnostic finding = signal.error->diagnostic();
     finding.code.replace(0, 1, "W");
     finding.effect = "other verbs refuse this signal";
@@ -72,6 +84,7 @@ void run(InfoFlags& flags) {
     info = info_of_recording(flags.path, options);
   } else {
     info.signals = survey_tables(flags.path, options, reading_progress("reading"));
+    info.readout = readout_of(flags.path, info.signals);
   }
   const bool named = !options.topic.empty() || !options.gyro_topic.empty();
   account(info, named, flags.session);

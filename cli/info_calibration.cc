@@ -4,9 +4,9 @@
 #include <fstream>
 #include <iostream>
 
-#include "vispline/calibration/calibration_source.h"
 #include "vispline/calibration/target_file.h"
 #include "vispline/calibration/yaml.h"
+#include "vispline/io/rig_source.h"
 #include "vispline/results/table.h"
 
 namespace vispline::cli {
@@ -15,6 +15,7 @@ namespace {
 /// One thing that the file holds: a camera, an IMU, a board.
 struct Part {
   std::string kind, name, text;
+  std::optional<double> readout_s{};
 };
 
 std::string numbers(const std::vector<double>& values) {
@@ -29,8 +30,10 @@ Part part_of(const CameraCalibration& camera) {
                      std::to_string(camera.resolution_px[1]) + " px";
   if (camera.T_cam_imu) text += ", T_cam_imu (IMU -> camera)";
   if (camera.timeshift_cam_imu) text += ", timeshift_cam_imu " + number_text(*camera.timeshift_cam_imu, 8) + " s";
-  if (camera.line_delay) text += ", line delay " + number_text(*camera.line_delay, 8) + " s";
-  return {"camera", camera.name, text};
+  if (!camera.line_delay) return {"camera", camera.name, text};
+  const double readout_s = *camera.line_delay * camera.resolution_px[1];
+  text += ", line delay " + number_text(*camera.line_delay, 8) + " s, readout time " + number_text(readout_s, 8) + " s";
+  return {"camera", camera.name, text, readout_s};
 }
 
 std::string walk_text(const WalkEntry& walk) {
@@ -71,13 +74,16 @@ bool is_calibration(const std::string& path) {
   const std::filesystem::path suffix = std::filesystem::path(path).extension();
   if (suffix == ".yaml" || suffix == ".yml" || suffix == ".json") return true;
   std::error_code error;
+  const bool recording = std::filesystem::exists(path + "/mav0", error);
+  if (!recording && std::filesystem::is_regular_file(path + "/result.json", error)) return true;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   std::string head(6, '\0');
   std::ifstream(path, std::ios::binary).read(head.data(), 6);
   return head == "%YAML:";
 }
 
-void print_calibration(const std::string& path, std::optional<double> rate_hz, Session& session) {
+void print_calibration(const std::string& named, std::optional<double> rate_hz, Session& session) {
+  const std::string path = calibration_file_of(named);
   std::vector<Part> parts;
   std::string dialect = "target";
   if (is_target(path)) {
@@ -85,7 +91,7 @@ void print_calibration(const std::string& path, std::optional<double> rate_hz, S
     session.add(reading.diagnostics);
     parts.push_back(part_of(reading.target));
   } else {
-    const CalibrationSource source = read_calibration(path, "", {.rate_hz = rate_hz});
+    const CalibrationSource source = read_rig_source(path, "", {.rate_hz = rate_hz});
     session.add(source.reading.diagnostics);
     dialect = source.reading.dialect;
     for (const CameraCalibration& camera : source.reading.rig.cameras) parts.push_back(part_of(camera));
@@ -101,6 +107,7 @@ void print_calibration(const std::string& path, std::optional<double> rate_hz, S
   std::vector<JsonObject> objects;
   for (const Part& part : parts) {
     objects.push_back(JsonObject().set("kind", part.kind).set("part", part.name).set("text", part.text));
+    objects.back().set("readout_s", part.readout_s);
   }
   JsonObject document = begin_document("vispline.info_calibration/1", session.context);
   document.set("dialect", dialect).set("parts", objects);

@@ -8,7 +8,8 @@
 
 namespace vispline::cli {
 
-/// By its name (.yaml, .yml, .json) or its first line: is it to be checked as a parameter file?
+/// By its name (.yaml, .yml, .json) or its first line: is it to be checked as a parameter file? So is the folder of a
+/// result.
 bool is_calibration(const std::string& path);
 
 /// Prints what it holds (docs/json.md, vispline.info_calibration/1). Throws as the readers of calibration/ do.

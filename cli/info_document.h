@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "vispline/io/readout.h"
 #include "vispline/io/recording_survey.h"
 #include "vispline/io/signal_survey.h"
 #include "vispline/results/json.h"
@@ -14,6 +15,7 @@ namespace vispline::cli {
 struct FileInfo {
   std::optional<RecordingSurvey> recording;  ///< absent for tables
   std::vector<SignalSurvey> signals;
+  std::optional<Readout> readout;  ///< of the camera, where the recording tells it
 };
 
 std::string info_text(const FileInfo& info);

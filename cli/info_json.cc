@@ -50,7 +50,7 @@ std::int64_t count_of(const SignalSurvey& signal, const std::string& code) {
 
 JsonObject imu_json(const SignalSurvey& signal) {
   JsonObject object;
-  object.set("units", count_of(signal, "W-UNITS") > 0 ? "suspect" : "plausible");
+  object.set("units", signal.error ? "unknown" : count_of(signal, "W-UNITS") > 0 ? "suspect" : "plausible");
   object.set("median_gyro_rad_per_s", signal.imu->median_gyro);
   object.set("median_accel_m_per_s2", signal.imu->median_accel);
   object.set("saturated_axes", count_of(signal, "W-SATURATED")).set("spikes", count_of(signal, "W-SPIKE"));
@@ -97,6 +97,8 @@ std::string info_json(const FileInfo& info, const JsonContext& context) {
   }
   for (const SignalSurvey& signal : info.signals) signals.push_back(to_json(signal));
   document.set("lost_bytes", lost).set("topics", topics).set("signals", signals);
+  document.set("readout_s", info.readout ? std::optional(info.readout->seconds) : std::nullopt);
+  document.set("readout_source", info.readout ? info.readout->source : "");
   end_document(document, context);
   return document.text();
 }

@@ -70,6 +70,7 @@ std::int64_t count_of(const SignalSurvey& signal, const std::string& code) {
 std::string units_text(const SignalSurvey& signal) {
   const std::string medians = "median |gyro| " + number_text(signal.imu->median_gyro, 4) + " rad/s, |accel| " +
                               number_text(signal.imu->median_accel, 4) + " m/s^2";
+  if (signal.error) return "not judged: " + medians;
   return (count_of(signal, "W-UNITS") > 0 ? "suspect: " : "plausible: ") + medians;
 }
 
@@ -102,6 +103,9 @@ std::string signal_text(const SignalSurvey& signal) {
                       : signal.poses ? "poses"
                                      : "nothing that could be read") +
                      (signal.format.empty() ? "" : " (" + signal.format + ")") + "\n";
+  const std::string refused =
+      signal.error ? line("refused", signal.error->diagnostic().code + ": " + signal.error->diagnostic().message) : "";
+  if (!signal.imu && !signal.poses && signal.error) return text + refused;
   text += line("samples", std::to_string(signal.counts.read) + " read, " + std::to_string(signal.counts.kept) +
                               " kept, " + std::to_string(signal.counts.dropped_total()) + " dropped");
   text += line("time", seconds(rhythm.begin_ns) + " s to " + seconds(rhythm.end_ns) + " s, " +
@@ -119,9 +123,7 @@ std::string signal_text(const SignalSurvey& signal) {
   }
   if (signal.imu) text += imu_text(signal);
   if (signal.poses) text += poses_text(*signal.poses);
-  if (signal.error)
-    text += line("refused", signal.error->diagnostic().code + ": " + signal.error->diagnostic().message);
-  return text;
+  return text + refused;
 }
 
 }  // namespace
@@ -129,6 +131,11 @@ std::string signal_text(const SignalSurvey& signal) {
 std::string info_text(const FileInfo& info) {
   std::string text = info.recording ? topics_text(*info.recording) : "";
   for (const SignalSurvey& signal : info.signals) text += signal_text(signal);
+  if (info.readout) {
+    text += "\ncamera\n";
+    text += line("readout", number_text(info.readout->seconds, 6) + " s from the first line to the last (" +
+                                info.readout->source + ")");
+  }
   return text.starts_with('\n') ? text.substr(1) : text;
 }
 

@@ -10,12 +10,12 @@ using namespace vispline;
 void survey(const std::string& path) {
   try {
     const RecordingSurvey found = survey_recording(path, {});
-    must(found.counts.read == found.counts.kept + found.counts.dropped_total());
+    fuzz::must(found.counts.read == found.counts.kept + found.counts.dropped_total());
     std::int64_t messages = 0;
     for (const TopicSurvey& topic : found.topics) messages += topic.receive.count;
-    must(messages == found.counts.kept);
+    fuzz::must(messages == found.counts.kept);
   } catch (const Error& error) {
-    must(error.diagnostic().code.starts_with("E-"));
+    fuzz::must(error.diagnostic().code.starts_with("E-"));
   }
 }
 

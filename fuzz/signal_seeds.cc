@@ -8,6 +8,7 @@
 #include "vispline/io/gyroflow.h"
 #include "vispline/io/kitti.h"
 #include "vispline/io/mocap.h"
+#include "vispline/io/png.h"
 #include "vispline/io/recorders_testing.h"
 #include "vispline/io/tum.h"
 
@@ -70,6 +71,12 @@ RigCalibration rig(const char* model, const char* distortion) {
   return rig;
 }
 
+GreyImage image() {
+  GreyImage image{9, 7};
+  for (int i = 0; i < image.width * image.height; ++i) image.grey.push_back(static_cast<std::uint8_t>(11 * i));
+  return image;
+}
+
 void add_parameters(Seeds& seeds) {
   for (const std::string& dialect : rig_dialects()) {
     const bool is_basalt = dialect == "basalt";
@@ -90,7 +97,8 @@ Seeds signal_seeds() {
   Seeds seeds{{"gpmf/mp4", small_gopro_mp4()},
               {"gpmf/times", small_gopro_mp4(false, 2)},
               {"gpmf/bare", small_gopro_payload(0, false) + small_gopro_payload(1, true)},
-              {"ulog/combined", combined_ulog()}};
+              {"ulog/combined", combined_ulog()},
+              {"png/seed", png_bytes(image())}};
   add_tables(seeds);
   add_parameters(seeds);
   return seeds;

@@ -21,6 +21,8 @@ class CliExport : public ::testing::Test {
     program_.write("cams.yaml", kCamchain);
     program_.write("imu.yaml", kImu);
   }
+  /// out/, with a file that is no calibration of a result.
+  void make_folder() { ASSERT_EQ(program_.run("export cams.yaml --for gyroflow --out out/").exit, 0); }
   Program program_;
 };
 
@@ -60,6 +62,58 @@ TEST_F(CliExport, Refusals) {
   EXPECT_EQ(run.exit, 6);
   EXPECT_EQ(program_.bytes("there.yaml"), "old");
   EXPECT_FALSE(program_.exists("b.json"));
+}
+
+/// What calibrate and estimate leave: their rig file beside result.json.
+TEST_F(CliExport, FolderOfAResult) {
+  ASSERT_EQ(program_.run("simulate --trajectory ellipse --rig phone --duration 0.2 --out rec").exit, 0);
+  make_folder();
+  program_.write("out/rig.yaml", program_.bytes("rec/rig.yaml"));
+  program_.write("out/result.json", "{}");
+  for (const std::string from : {"out", "out/result.json", "rec/rig.yaml"}) {
+    for (const std::string tool : {"kalibr", "openvins", "vins-fusion", "orbslam3", "gyroflow"}) {
+      SCOPED_TRACE(from + " for " + tool);
+      const ProgramRun run = program_.run("export " + from + " --for " + tool + " -f --out files/");
+      ASSERT_EQ(run.exit, 0) << run.err;
+      EXPECT_EQ(lines(run.out).back().find("next: "), 0u);
+    }
+  }
+  EXPECT_NE(program_.bytes("files/camchain.yaml").find("line_delay"), std::string::npos);
+  const ProgramRun info = program_.run("info out --json");
+  ASSERT_EQ(info.exit, 0) << info.err;
+  const auto document = nlohmann::json::parse(info.out);
+  EXPECT_EQ(document["dialect"], "vispline");
+  EXPECT_NEAR(document["parts"][0]["readout_s"].get<double>(), 0.030, 1e-9);  // what the preset is made of
+}
+
+TEST_F(CliExport, ResultThatIsNotToBeTrusted) {
+  make_folder();
+  program_.write("out/result.json", "{}");
+  EXPECT_EQ(program_.run("export out --for kalibr --out k/").exit, 3);
+  program_.write("out/walk.rejected.yaml", "# class: not-converged\n");
+  for (const std::string from : {"out", "out/result.json"}) {
+    const ProgramRun run = program_.run("export " + from + " --for kalibr --out k/");
+    EXPECT_EQ(run.exit, 5);
+    EXPECT_NE(run.err.find("error[E-REJECTED]: "), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(program_.run("export nowhere/result.json --for kalibr --out k/").exit, 3);
+  EXPECT_FALSE(program_.exists("k"));
+}
+
+/// Kalibr divides by the random walk: where there is none, its file has none, and says so.
+TEST_F(CliExport, RigWithoutRandomWalk) {
+  ASSERT_EQ(program_.run("simulate --trajectory ellipse --rig phone --duration 0.2 --out rec").exit, 0);
+  std::string rig = program_.bytes("rec/rig.yaml");
+  for (std::size_t at = 0; (at = rig.find("random_walk: ", at)) != std::string::npos; at += 13) {
+    rig.replace(at + 13, rig.find(' ', at + 13) - at - 13, "0.0");
+  }
+  program_.write("still.yaml", rig);
+  const ProgramRun run = program_.run("simulate --trajectory ellipse --rig still.yaml --duration 0.2 --out still");
+  ASSERT_EQ(run.exit, 0) << run.err;
+  EXPECT_NE(run.err.find("warning[W-KALIBR]: "), std::string::npos) << run.err;
+  const std::string imu = program_.bytes("still/kalibr/imu.yaml");
+  EXPECT_NE(imu.find("# gyroscope_random_walk: no value above 0 is known"), std::string::npos) << imu;
+  EXPECT_NE(imu.find("\ngyroscope_noise_density: "), std::string::npos) << imu;
 }
 
 }  // namespace

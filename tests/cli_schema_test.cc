@@ -221,8 +221,9 @@ TEST(CliSchema, ConvertAndInfo) {
   expect_documented(converted);
   const Json made = document(program, "info walk.bag");
   EXPECT_EQ(made["schema"], "vispline.info/1");
-  EXPECT_EQ(keys(made), (Names{"schema", "version", "kind", "indexed", "lost_bytes", "topics", "signals"}) + kReadKeys +
-                            kDiagnosticKeys);
+  EXPECT_EQ(keys(made), (Names{"schema", "version", "kind", "indexed", "lost_bytes", "topics", "signals", "readout_s",
+                               "readout_source"}) +
+                            kReadKeys + kDiagnosticKeys);
   expect_account(made, {"/imu0", "/pose"});
   expect_documented(made);
   EXPECT_EQ(made["signals"][0]["gaps"], 1);
@@ -236,7 +237,7 @@ TEST(CliSchema, InfoOfACalibration) {
   EXPECT_EQ(made["schema"], "vispline.info_calibration/1");
   EXPECT_EQ(keys(made), (Names{"schema", "version", "dialect", "parts"}) + kDiagnosticKeys);
   std::set<std::string> known = documented("vispline.info_calibration/1");
-  EXPECT_EQ(known, (std::set<std::string>{"dialect", "parts", "kind", "part", "text"}));
+  EXPECT_EQ(known, (std::set<std::string>{"dialect", "parts", "kind", "part", "text", "readout_s"}));
 }
 
 TEST(CliSchema, DemoIsTheIntegrationTable) {

@@ -1,6 +1,8 @@
-/// Little-endian numbers in byte strings, on any machine.
+/// Numbers in byte strings, little-endian unless the name says otherwise, on any machine.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstddef>
@@ -14,12 +16,22 @@ namespace vispline {
 
 using Bytes = std::span<const std::byte>;
 
-/// The unsigned number at `at`; sizeof(T) bytes must be there.
+/// The unsigned number at `at`, in the byte order of `order`; sizeof(T) bytes must be there. One load where the machine
+/// has that order: compilers do not find it in a loop over bytes.
+template <std::endian order, std::unsigned_integral T>
+constexpr T load(const std::byte* at) {
+  std::array<std::byte, sizeof(T)> bytes;
+  std::copy_n(at, sizeof(T), bytes.begin());
+  if constexpr (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<T>(bytes);
+}
 template <std::unsigned_integral T>
 constexpr T load_le(const std::byte* at) {
-  T value = 0;
-  for (std::size_t i = 0; i < sizeof(T); ++i) value = static_cast<T>(value | (static_cast<T>(at[i]) << (8 * i)));
-  return value;
+  return load<std::endian::little, T>(at);
+}
+template <std::unsigned_integral T>
+constexpr T load_be(const std::byte* at) {
+  return load<std::endian::big, T>(at);
 }
 
 /// Appends the bytes of an unsigned number.

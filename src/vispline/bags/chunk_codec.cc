@@ -5,6 +5,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "vispline/core/error.h"
 
@@ -93,10 +94,30 @@ class Lz4Decoder final : public Decoder {
   bool ready_ = false;
 };
 
+/// One idle zstd stream of each thread: a recording of messages that are compressed one by one needs millions, and
+/// making one costs more than a message does.
+class IdleStream {
+ public:
+  ~IdleStream() { ZSTD_freeDStream(stream_); }
+  ZSTD_DStream* take() { return stream_ != nullptr ? std::exchange(stream_, nullptr) : ZSTD_createDStream(); }
+  /// Kept unless it has grown large.
+  void give(ZSTD_DStream* stream) {
+    constexpr std::size_t kLargest = std::size_t{4} << 20;
+    const bool keep = stream_ == nullptr && stream != nullptr && ZSTD_sizeof_DStream(stream) <= kLargest &&
+                      ZSTD_isError(ZSTD_DCtx_reset(stream, ZSTD_reset_session_and_parameters)) == 0;
+    if (!keep) return static_cast<void>(ZSTD_freeDStream(stream));
+    stream_ = stream;
+  }
+
+ private:
+  ZSTD_DStream* stream_ = nullptr;
+};
+thread_local IdleStream idle_stream;
+
 class ZstdDecoder final : public Decoder {
  public:
-  ZstdDecoder() : stream_(ZSTD_createDStream()) {}
-  ~ZstdDecoder() override { ZSTD_freeDStream(stream_); }
+  ZstdDecoder() : stream_(idle_stream.take()) {}
+  ~ZstdDecoder() override { idle_stream.give(stream_); }
   ZstdDecoder(const ZstdDecoder&) = delete;
   ZstdDecoder& operator=(const ZstdDecoder&) = delete;
 
@@ -133,6 +154,15 @@ std::string encode_bz2(std::string_view in) {
   require(code == BZ_OK, "memory to compress a chunk");
   out.resize(size);
   return out;
+}
+
+/// The only frames that ROS's own reader of rosbags takes (roslz4): blocks that stand alone, a checksum of the whole.
+LZ4F_preferences_t frames_of_ros() {
+  LZ4F_preferences_t preferences = LZ4F_INIT_PREFERENCES;
+  preferences.frameInfo.blockSizeID = LZ4F_max64KB;
+  preferences.frameInfo.blockMode = LZ4F_blockIndependent;
+  preferences.frameInfo.contentChecksumFlag = LZ4F_contentChecksumEnabled;
+  return preferences;
 }
 
 }  // namespace
@@ -188,9 +218,10 @@ std::string encode(Codec codec, std::string_view in) {
   if (codec == Codec::kNone) return std::string(in);
   if (codec == Codec::kBz2) return encode_bz2(in);
   const bool zstd = codec == Codec::kZstd;
-  std::string out(zstd ? ZSTD_compressBound(in.size()) : LZ4F_compressFrameBound(in.size(), nullptr), '\0');
+  const LZ4F_preferences_t ros = frames_of_ros();
+  std::string out(zstd ? ZSTD_compressBound(in.size()) : LZ4F_compressFrameBound(in.size(), &ros), '\0');
   const std::size_t size = zstd ? ZSTD_compress(out.data(), out.size(), in.data(), in.size(), ZSTD_CLEVEL_DEFAULT)
-                                : LZ4F_compressFrame(out.data(), out.size(), in.data(), in.size(), nullptr);
+                                : LZ4F_compressFrame(out.data(), out.size(), in.data(), in.size(), &ros);
   require((zstd ? ZSTD_isError(size) : LZ4F_isError(size)) == 0, "memory to compress a chunk");
   out.resize(size);
   return out;

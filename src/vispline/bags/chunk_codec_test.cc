@@ -93,5 +93,11 @@ TEST(ChunkCodec, CapsOnClaims) {
   EXPECT_NE(refusal(70'000, 70'000'001), "");
 }
 
+// roslz4 takes no other: version 1, blocks that stand alone, a checksum of the whole, no size; blocks up to 64 KiB.
+TEST(ChunkCodec, Lz4FramesThatRosReads) {
+  const std::string frame = encode(Codec::kLz4, std::string(3'000'000, 'x'));
+  EXPECT_EQ(frame.substr(0, 6), "\x04\x22\x4d\x18\x64\x40");
+}
+
 }  // namespace
 }  // namespace vispline

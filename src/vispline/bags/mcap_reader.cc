@@ -1,10 +1,10 @@
 #include "vispline/bags/mcap_reader.h"
 
 #include <algorithm>
-#include <unordered_map>
 
-#include "vispline/bags/chunk_codec.h"
+#include "vispline/bags/mcap_chunk.h"
 #include "vispline/bags/mcap_summary.h"
+#include "vispline/bags/mcap_topics.h"
 #include "vispline/bags/message_zstd.h"
 
 namespace vispline {
@@ -12,14 +12,8 @@ namespace {
 
 using namespace mcap;
 
-constexpr std::size_t kDecodePiece = std::size_t{1} << 18;
 constexpr std::uint64_t kMaxDescription = std::uint64_t{16} << 20;
 constexpr std::size_t kMessageHead = 22;
-
-Wire wire_of(const std::string& encoding) {
-  if (encoding == "ros1") return Wire::kRos1;
-  return encoding == "cdr" ? Wire::kCdr : Wire::kOther;
-}
 
 std::optional<std::int64_t> time_of(std::uint64_t ns) {
   return ns <= INT64_MAX ? std::optional(static_cast<std::int64_t>(ns)) : std::nullopt;
@@ -29,7 +23,7 @@ class McapReader final : public BagReader {
  public:
   McapReader(Input input, const BagOptions& options) : BagReader(options), input_(std::move(input)) {
     summary_ = read_summary(input_);
-    for (const Schema& schema : summary_.schemas) schemas_[schema.id] = schema;
+    for (const Schema& schema : summary_.schemas) table_.add(schema);
     indexed_ = options.use_index && summary_.found && summary_.messages.has_value();
     if (indexed_) indexed_ = std::ranges::all_of(summary_.channels, [&](const Channel& c) { return add_channel(c); });
     if (indexed_) {
@@ -48,9 +42,10 @@ class McapReader final : public BagReader {
   }
 
   void take_statistics() {
-    for (const auto& [channel, topic] : channels_) {
-      const auto count = summary_.counts.find(channel);
-      topics_[topic].count = count == summary_.counts.end() ? 0 : static_cast<std::int64_t>(count->second);
+    for (const Channel& channel : summary_.channels) {
+      const auto count = summary_.counts.find(channel.id);
+      topics_[*table_.find(channel.id)].count =
+          count == summary_.counts.end() ? 0 : static_cast<std::int64_t>(count->second);
     }
   }
 
@@ -133,31 +128,14 @@ class McapReader final : public BagReader {
     if (!scanning_) return;
     const Bytes content = window.view(record.content, static_cast<std::size_t>(record.bytes));
     if (record.op == kSchema) {
-      if (const auto schema = parse_schema(content)) schemas_.try_emplace(schema->id, *schema);
+      if (const auto schema = parse_schema(content)) table_.add(*schema);
     } else if (const auto channel = parse_channel(content); channel && add_channel(*channel)) {
-      auto& count = topics_[channels_.at(channel->id)].count;
+      auto& count = topics_[*table_.find(channel->id)].count;
       if (!count) count = 0;
     }
   }
 
-  bool add_channel(const Channel& channel) {
-    if (channels_.contains(channel.id)) return true;
-    Topic topic{.name = channel.topic,
-                .type = {},
-                .md5 = channel.md5,
-                .definition = {},
-                .wire = wire_of(channel.encoding),
-                .encoding = channel.encoding};
-    if (channel.schema != 0) {
-      const auto schema = schemas_.find(channel.schema);
-      if (schema == schemas_.end()) return false;
-      topic.type = schema->second.name;
-      topic.definition = schema->second.definition;
-    }
-    channels_[channel.id] = topics_.size();
-    topics_.push_back(std::move(topic));
-    return true;
-  }
+  bool add_channel(const Channel& channel) { return table_.add(channel, topics_); }
 
   // ---- chunks
 
@@ -187,39 +165,17 @@ class McapReader final : public BagReader {
     const auto found = summary_.chunk_channels.find(chunk);
     if (found == summary_.chunk_channels.end()) return true;
     return std::ranges::any_of(found->second, [&](std::uint16_t id) {
-      const auto topic = channels_.find(id);
-      return topic == channels_.end() || wanted_[topic->second];
+      const auto topic = table_.find(id);
+      return !topic || wanted_[*topic];
     });
   }
 
   bool decode_chunk(Window& window, const Record& record, const ChunkHead& head, Codec codec, std::uint64_t stored,
                     bool cut) {
     std::string why;
-    Bytes bytes;
-    if (codec == Codec::kNone) {
-      bytes = window.view(head.data_offset, static_cast<std::size_t>(std::min(stored, kChunkBytes)));
-    } else {
-      why = decode_stream(window, head, codec, stored, cut);
-      bytes = decoded_.view();
-    }
-    if (!cut && why.empty() && bytes.size() != head.size) why = "it holds another size than it claims";
-    if (!cut && why.empty() && head.crc != 0 && crc32_of(bytes) != head.crc) why = "its CRC differs";
-    if (!why.empty() && !cut) return lose_chunk(record, head, why, false), true;
+    const Bytes bytes = decoder_.decode(window, head, codec, stored, cut, why);
+    if (!why.empty()) return lose_chunk(record, head, why, false), true;
     return take_records(bytes, record, head, cut);
-  }
-
-  std::string decode_stream(Window& window, const ChunkHead& head, Codec codec, std::uint64_t stored, bool cut) {
-    const auto cap = static_cast<std::size_t>(std::min(head.size, growth_cap(stored)));
-    decoded_.clear();
-    const auto decoder = make_decoder(codec);
-    for (std::uint64_t done = 0; done < stored;) {
-      const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(kDecodePiece, stored - done));
-      const Bytes in = window.view(head.data_offset + done, piece);
-      if (in.empty()) break;
-      if (!decoder->feed(in, decoded_, cap)) return decoder->error();
-      done += in.size();
-    }
-    return decoder->finished() || cut || head.size == 0 ? "" : "it ends early";
   }
 
   bool take_records(Bytes bytes, const Record& chunk, const ChunkHead& head, bool cut) {
@@ -271,16 +227,16 @@ class McapReader final : public BagReader {
       return true;
     }
     ++seen_;
-    const auto channel = channels_.find(load_le<std::uint16_t>(head.data()));
+    const auto topic = table_.find(load_le<std::uint16_t>(head.data()));
     const auto time = time_of(load_le<std::uint64_t>(head.data() + 6));
     if (scanning_) {
-      if (channel != channels_.end()) ++*topics_[channel->second].count;
+      if (topic) ++*topics_[*topic].count;
       return true;
     }
-    if (channel != channels_.end() && !wanted_[channel->second]) return true;
+    if (topic && !wanted_[*topic]) return true;
     const std::uint64_t bytes = record.bytes - kMessageHead;
     std::string why;
-    if (channel == channels_.end()) why = "a message of a channel that no record describes";
+    if (!topic) why = "a message of a channel that no record describes";
     if (!time) why = "a message of a time beyond 2262";
     if (bytes > kChunkBytes) why = "a message above 256 MiB";
     Bytes data;
@@ -288,7 +244,7 @@ class McapReader final : public BagReader {
       data = plain_message(window.view(record.content + kMessageHead, static_cast<std::size_t>(bytes)), message_, why);
       if (!why.empty()) why = "a compressed message is damaged: " + why;
     }
-    if (why.empty()) return deliver({channel->second, *time, data, offset});
+    if (why.empty()) return deliver({*topic, *time, data, offset});
     drop("W-MESSAGE", why, place(input_.name(), offset));
     return true;
   }
@@ -306,12 +262,12 @@ class McapReader final : public BagReader {
 
   Input input_;
   Summary summary_;
-  std::unordered_map<std::uint16_t, Schema> schemas_;
-  std::unordered_map<std::uint16_t, std::size_t> channels_;
+  TopicTable table_;
+  ChunkDecoder decoder_;
   std::vector<bool> wanted_;
   std::uint64_t seen_ = 0;
   bool scanning_ = false, skipped_ = false;
-  ByteBuffer decoded_, message_;
+  ByteBuffer message_;
 };
 
 }  // namespace

@@ -29,7 +29,10 @@ class RosFields {
   double f64() { return std::bit_cast<double>(number<std::uint64_t>()); }
   template <std::size_t n>
   void f64(double (&to)[n]) {
-    for (double& value : to) value = f64();
+    if (cdr_) align(sizeof(double));
+    const Bytes all = take(n * sizeof(double));
+    if (!good_) return;
+    for (std::size_t i = 0; i < n; ++i) to[i] = std::bit_cast<double>(load<std::uint64_t>(all.data() + 8 * i));
   }
 
   /// Without the NUL of CDR; a view into the message.
@@ -66,16 +69,16 @@ class RosFields {
   }
   template <std::unsigned_integral T>
   T number() {
-    if (cdr_) take((sizeof(T) - (next_ - 4) % sizeof(T)) % sizeof(T));
+    if (cdr_) align(sizeof(T));
     const Bytes at = take(sizeof(T));
     if (!good_) return 0;
-    T value = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i) {
-      const std::size_t place = big_endian_ ? sizeof(T) - 1 - i : i;
-      value = static_cast<T>(value | (static_cast<T>(at[i]) << (8 * place)));
-    }
-    return value;
+    return load<T>(at.data());
   }
+  template <std::unsigned_integral T>
+  T load(const std::byte* at) const {
+    return big_endian_ ? load_be<T>(at) : load_le<T>(at);
+  }
+  void align(std::size_t width) { take((width - (next_ - 4) % width) % width); }
 
   Bytes data_;
   std::size_t next_ = 0;

@@ -65,8 +65,18 @@ class Walk {
       if (record.op == kChunk || record.op == kMessageData) return;
       offset = record.end;
     }
-    index_good_ = step == Step::kEnd;
-    if (step == Step::kCut) layout_.lost_tail = input_.size() - offset;
+    index_good_ = step == Step::kEnd || index_is_whole();
+    const std::uint64_t rest = input_.size() - offset;
+    if (index_good_) {
+      layout_.surplus = rest;
+    } else if (step == Step::kCut) {
+      layout_.lost_tail = rest;
+    }
+  }
+
+  /// Nothing is missing that the header counts.
+  bool index_is_whole() const {
+    return !infos_.empty() && header_.chunk_count == infos_.size() && header_.conn_count == layout_.connections.size();
   }
 
   bool add_connection(const Record& record) {

@@ -35,6 +35,7 @@ struct Layout {
   bool closed = false;          ///< the header says where the index is
   std::uint64_t index_pos = 0;  ///< as the header says
   std::uint64_t lost_tail = 0;  ///< bytes of an unfinished record at the end
+  std::uint64_t surplus = 0;    ///< bytes behind an index that is whole
   std::string disagreement;     ///< of the index and the data; empty if there is none
 };
 

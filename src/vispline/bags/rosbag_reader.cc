@@ -72,6 +72,10 @@ class RosbagReader final : public BagReader {
       warn("W-INDEX", layout_.disagreement.empty() ? "the index of the rosbag cannot be used" : layout_.disagreement,
            name, "the data is believed and scanned from front to end");
     }
+    if (layout_.surplus > 0) {
+      warn("W-INDEX", std::to_string(layout_.surplus) + " bytes behind the index are no part of a rosbag",
+           place(name, input_.size() - layout_.surplus), "they are left out");
+    }
     keep_warnings_of_opening();
   }
 

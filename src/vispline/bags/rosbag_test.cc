@@ -201,6 +201,15 @@ TEST_F(Rosbag, WrongIndex) {
   EXPECT_EQ(outcome.topics.at(0).count, 32);
 }
 
+TEST_F(Rosbag, BytesBehindTheIndex) {
+  for (const std::string more :
+       {std::string(7, '\0'), std::string("garbage behind the index"), std::string("\5\0\0\0", 4)}) {
+    const BagOutcome outcome = outcome_of_bytes(bag(small_, Codec::kLz4) + more);
+    EXPECT_EQ(outcome.codes, "W-INDEX");
+    EXPECT_EQ(outcome.messages, small_.messages);
+  }
+}
+
 TEST_F(Rosbag, ChunkThatClaimsTooMuch) {
   std::string bytes = bag(small_, Codec::kBz2, 1 << 20);
   const std::size_t size = bytes.find("size=", 4100) + 5;

@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kResultSuffix = "-camchain-imucam.yaml";
+constexpr std::string_view kRejectedSuffix = ".rejected.yaml";
 
 [[noreturn]] void fail_folder(const std::string& folder, const std::string& found) {
   throw Error(ExitCode::kInput, {.code = "E-OPEN",
@@ -21,25 +22,32 @@ constexpr std::string_view kResultSuffix = "-camchain-imucam.yaml";
                                  .next = "give the calibration file itself"});
 }
 
+/// What calibrate and estimate leave in place of a rig that is not to be trusted.
+[[noreturn]] void fail_rejected(const std::string& folder, const std::string& file) {
+  throw Error(ExitCode::kUntrusted,
+              {.code = "E-REJECTED",
+               .message = "the result in the folder is not to be trusted, and has no rig.yaml",
+               .where = folder,
+               .effect = "nothing written",
+               .next = "its report says what to record or to fix; the last numbers are in " + file});
+}
+
 /// rig.yaml, or the only file that ends as results of Kalibr do.
 std::string camera_file_in(const fs::path& folder) {
   if (fs::is_regular_file(folder / "rig.yaml")) return (folder / "rig.yaml").string();
   std::vector<std::string> found;
+  std::string rejected;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().string().ends_with(kResultSuffix)) found.push_back(entry.path().string());
+    const std::string name = entry.path().string();
+    if (name.ends_with(kResultSuffix)) found.push_back(name);
+    if (name.ends_with(kRejectedSuffix)) rejected = name;
   }
   if (error) fail_folder(folder.string(), "the folder cannot be read: " + error.message());
   if (found.size() == 1) return found.front();
+  if (found.empty() && !rejected.empty()) fail_rejected(folder.string(), rejected);
   fail_folder(folder.string(), "the folder holds no rig.yaml and " + std::to_string(found.size()) + " files *" +
                                    std::string(kResultSuffix));
-}
-
-std::string camera_file_of(const std::string& path) {
-  if (fs::is_directory(path)) return camera_file_in(path);
-  const fs::path file(path);
-  if (file.filename() == "result.json") return camera_file_in(file.has_parent_path() ? file.parent_path() : ".");
-  return path;
 }
 
 /// The file of the IMU that is written along with `camera_file`; empty if there is none.
@@ -68,10 +76,18 @@ RigReading read_any(const std::string& path, const RigReadOptions& options) {
 
 }  // namespace
 
+std::string calibration_file_of(const std::string& path) {
+  if (fs::is_directory(path)) return camera_file_in(path);
+  const fs::path file(path);
+  if (file.filename() != "result.json") return path;
+  if (!fs::is_regular_file(file)) fail_folder(path, "there is no such file");
+  return camera_file_in(file.has_parent_path() ? file.parent_path() : ".");
+}
+
 CalibrationSource read_calibration(const std::string& path, const std::string& imu_path,
                                    const RigReadOptions& options) {
   CalibrationSource source;
-  source.paths.push_back(camera_file_of(path));
+  source.paths.push_back(calibration_file_of(path));
   source.reading = read_any(source.paths[0], options);
   std::string imu = imu_path;
   if (imu.empty() && source.reading.rig.imus.empty()) imu = imu_file_beside(source.paths[0]);

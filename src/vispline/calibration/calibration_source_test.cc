@@ -79,6 +79,18 @@ TEST(CalibrationSource, FolderOfAResult) {
   EXPECT_EQ(rig.reading.rig.imus.size(), 1u);
 }
 
+TEST(CalibrationSource, ResultThatIsNotToBeTrusted) {
+  const Scratch folder;
+  EXPECT_EQ(code_of([&] { calibration_file_of(folder.path() + "/result.json"); }), "E-OPEN");
+  const std::string json = folder.write("result.json", "{}");
+  EXPECT_EQ(code_of([&] { calibration_file_of(json); }), "E-OPEN");
+  folder.write("walk.rejected.yaml", "# class: rank-deficient\n");
+  EXPECT_EQ(code_of([&] { calibration_file_of(json); }), "E-REJECTED");
+  EXPECT_EQ(code_of([&] { calibration_file_of(folder.path()); }), "E-REJECTED");
+  const std::string rig = folder.write("rig.yaml", "x: 1\n");
+  EXPECT_EQ(calibration_file_of(json), rig);
+}
+
 TEST(CalibrationSource, ImuOfAnotherFile) {
   const Scratch folder;
   const auto files = rig_files("kalibr", small_rig());
@@ -147,8 +159,12 @@ void expect_same_noise(const RigCalibration& wrote, const RigCalibration& read) 
   const ImuNoiseEntry &a = wrote.imus[0].noise, &b = read.imus[0].noise;
   EXPECT_NEAR(b.gyro_white / a.gyro_white, 1.0, 1e-14);
   EXPECT_NEAR(b.accel_white / a.accel_white, 1.0, 1e-14);
-  if (a.gyro_walk.value) EXPECT_NEAR(*b.gyro_walk.value / *a.gyro_walk.value, 1.0, 1e-14);
-  if (a.accel_walk.value) EXPECT_NEAR(*b.accel_walk.value / *a.accel_walk.value, 1.0, 1e-14);
+  if (a.gyro_walk.value) {
+    EXPECT_NEAR(*b.gyro_walk.value / *a.gyro_walk.value, 1.0, 1e-14);
+  }
+  if (a.accel_walk.value) {
+    EXPECT_NEAR(*b.accel_walk.value / *a.accel_walk.value, 1.0, 1e-14);
+  }
 }
 
 /// The files of a set, read from a folder as a user would.

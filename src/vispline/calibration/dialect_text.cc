@@ -78,15 +78,14 @@ std::optional<double> written_walk(const WalkEntry& walk) { return walk.value ? 
 
 std::string walk_note(std::string_view key, const WalkEntry& walk) {
   return std::string(key) + (walk.upper_bound ? " is an upper bound: the record does not resolve the random walk"
-                                              : " is left out: the record does not resolve the random walk");
+                                              : " is left out: no value above 0 is known; set it by hand");
 }
 
 std::string walk_line(const WalkLine& line, const WalkEntry& walk, std::vector<std::string>& notes) {
   if (walk.value) return value_line(line.indent, line.key, yaml_float(*walk.value * line.factor), line.unit);
   notes.push_back(walk_note(line.key, walk));
   if (!walk.upper_bound) {
-    return line.indent + "# " + line.key + ": not resolved by the record, no bound known; set it by hand, " +
-           line.unit + "\n";
+    return line.indent + "# " + line.key + ": no value above 0 is known; set it by hand, " + line.unit + "\n";
   }
   return value_line(line.indent, line.key, yaml_float(*walk.upper_bound * line.factor),
                     "upper bound, the record does not resolve the walk; " + line.unit);

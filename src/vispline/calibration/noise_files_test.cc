@@ -108,7 +108,7 @@ TEST(NoiseFile, AnUnresolvedWalkIsItsBoundOrLeftOutInEveryDialect) {
       continue;
     }
     EXPECT_TRUE(holds(file.text, "upper bound")) << file.text;
-    EXPECT_TRUE(holds(file.text, dialect == "imu_utils" ? "# acc_w: the record does not" : "not resolved"))
+    EXPECT_TRUE(holds(file.text, dialect == "imu_utils" ? "# acc_w: the record does not" : "no value above 0 is known"))
         << file.text;
   }
 }

@@ -66,11 +66,15 @@ void read_messages(ReadContext& context, BagReader& reader, const std::vector<bo
                context.path(), "get the recording again, or pass --repair to leave them out");
 }
 
+std::string other_clock(const ReadContext& context) {
+  return context.options().clock == StampClock::kHeader ? "pass --time receive to use the times of arrival"
+                                                        : "pass --time header to use the stamps of the headers";
+}
+
 void check_constant_time(const ReadContext& context, std::int64_t rows, std::int64_t distinct) {
   if (rows < 2 || distinct != 1) return;
   context.fail(ExitCode::kInput, "E-TIME-CONSTANT", "all " + std::to_string(rows) + " stamps are equal", context.path(),
-               context.options().clock == StampClock::kHeader ? "pass --time receive to use the times of arrival"
-                                                              : "pass --time header to use the stamps of the headers");
+               other_clock(context));
 }
 
 }  // namespace vispline

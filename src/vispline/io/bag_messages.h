@@ -24,6 +24,9 @@ using MessageTaker = std::function<bool(const Topic&, const Message&)>;
 /// the context.
 void read_messages(ReadContext& context, BagReader& reader, const std::vector<bool>& wanted, const MessageTaker& take);
 
+/// The flag that takes the other clock: what to do if that of the options stands still.
+std::string other_clock(const ReadContext& context);
+
 /// E-TIME-CONSTANT (exit 3) if `rows` stamps are one: all headers were left at zero, as a rule.
 void check_constant_time(const ReadContext& context, std::int64_t rows, std::int64_t distinct);
 

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "vispline/io/gpmf.h"
-#include "vispline/io/mp4_track.h"
+#include "vispline/io/gopro_payloads.h"
 #include "vispline/io/number_text.h"
 #include "vispline/io/sample_clock_fit.h"
 #include "vispline/io/triad_pair.h"
@@ -13,42 +12,49 @@
 namespace vispline::gopro {
 namespace {
 
-constexpr double kPayloadSeconds = 1.001;  // what cameras cut their telemetry into
-constexpr std::uint64_t kMaxBareBytes = std::uint64_t{64} << 20;
-constexpr double kMaxSeconds = 4e9;  // differences stay below 2^63 ns
+constexpr double kRounding = 1e-6;                           // s, of a clock that starts at zero
+constexpr double kMaxSeconds = 4e9;                          // differences stay below 2^63 ns
+constexpr std::size_t kMostPayloads = std::size_t{1} << 21;  // 24 days
 
-/// All samples of one triad, with the points that tell its clock.
+/// Numbers the samples of one triad. TSMP counts on where payloads are missing.
+struct SampleCount {
+  std::int64_t next = 0;
+
+  /// The number of the first sample of `triad`.
+  std::int64_t take(const gpmf::Triad& triad) {
+    const auto count = static_cast<std::int64_t>(triad.samples.size());
+    if (triad.total && *triad.total < (std::uint64_t{1} << 40)) {
+      next = std::max(next, static_cast<std::int64_t>(*triad.total) - count);
+    }
+    next += count;
+    return next - count;
+  }
+};
+
+/// What must be known of a triad before its first sample can be stamped.
 struct Series {
-  std::vector<Vector3d> samples;
-  std::vector<std::int64_t> index;   ///< TSMP counts on where payloads are missing
+  SampleCount count;
   std::vector<ClockPoint> stamps;    ///< by STMP
   std::vector<ClockPoint> payloads;  ///< by the times of the payloads
   std::string input, output;
   std::optional<Matrix3d> matrix;
 
-  std::int64_t next_index() const { return index.empty() ? 0 : index.back() + 1; }
+  bool empty() const { return payloads.empty(); }
 
   void add(const gpmf::Triad& triad, double start_s) {
     if (triad.samples.empty()) return;
-    if (samples.empty()) {
+    if (empty()) {
       input = triad.input;
       output = triad.output;
       matrix = triad.matrix;
     }
-    const auto count = static_cast<std::int64_t>(triad.samples.size());
-    std::int64_t first = next_index();
-    if (triad.total && *triad.total < (std::uint64_t{1} << 40)) {
-      const std::int64_t counted = static_cast<std::int64_t>(*triad.total) - count;
-      if (counted >= first) first = counted;
-    }
+    const std::int64_t first = count.take(triad);
     if (triad.stamp_us) stamps.push_back({first, 1e-6 * static_cast<double>(*triad.stamp_us)});
     payloads.push_back({first, start_s});
-    for (std::int64_t i = 0; i < count; ++i) index.push_back(first + i);
-    samples.insert(samples.end(), triad.samples.begin(), triad.samples.end());
   }
 };
 
-struct Loaded {
+struct Survey {
   Series gyro, accel;
   std::string device;
   double end_s = 0.0;  ///< of the last payload
@@ -56,80 +62,44 @@ struct Loaded {
   bool damaged = false;
 };
 
-void add_device(const gpmf::Device& device, double start_s, Loaded& loaded) {
-  if (!device.gyro && !device.accel) return;
-  if (loaded.device.empty()) loaded.device = device.name;
-  if (device.gyro) loaded.gyro.add(*device.gyro, start_s);
-  if (device.accel) loaded.accel.add(*device.accel, start_s);
-}
-
-std::string bytes_at(const Input& input, std::uint64_t offset, std::size_t size) {
-  std::string bytes(size, '\0');
-  bytes.resize(input.read_at(offset, reinterpret_cast<std::byte*>(bytes.data()), size));
-  return bytes;
-}
-
-void load_mp4(ReadContext& context, const Input& input, const ReadProgress& progress, Loaded& loaded) {
-  const mp4::Telemetry telemetry = mp4::find_telemetry(input);
-  loaded.damaged = telemetry.damaged;
-  if (telemetry.payloads.empty()) {
-    context.fail(ExitCode::kInput, "E-FORMAT", "a video without a gpmd track", context.path(),
-                 "only GoPro videos carry the readings of an IMU in a form that is known");
-  }
-  std::uint64_t taken = 0;
-  for (const mp4::Payload& payload : telemetry.payloads) {
-    const bool inside = payload.offset <= input.size() && payload.size <= input.size() - payload.offset;
-    taken += payload.size;
-    if (taken > input.size()) {  // payloads do not overlap
-      loaded.damaged = true;
-      return;
-    }
-    if (!inside || payload.size > mp4::kMaxPayloadBytes) {
-      loaded.damaged = true;
-      continue;
-    }
-    const std::string bytes = bytes_at(input, payload.offset, payload.size);
-    for (const gpmf::Device& device : gpmf::parse(as_bytes(bytes), loaded.damaged)) {
-      add_device(device, payload.start_s, loaded);
-    }
-    require_below(context, loaded.gyro.samples.size() + loaded.accel.samples.size(), "samples");
-    loaded.end_s = payload.end_s;
-    if (progress) progress(payload.offset + payload.size, input.size());
-  }
-}
-
-/// Payloads one after another, without a container.
-void load_bare(ReadContext& context, const Input& input, Loaded& loaded) {
-  if (input.size() > kMaxBareBytes) {
-    context.fail(ExitCode::kLimit, "E-LIMIT", "bare telemetry of more than 64 MiB", context.path(),
-                 "read the video that it comes from");
-  }
-  const std::string bytes = bytes_at(input, 0, static_cast<std::size_t>(input.size()));
-  loaded.timed = false;
-  for (const gpmf::Device& device : gpmf::parse(as_bytes(bytes), loaded.damaged)) {
-    if (!device.gyro && !device.accel) continue;
-    add_device(device, loaded.end_s, loaded);
-    loaded.end_s += kPayloadSeconds;
-  }
+Survey survey(const ReadContext& context, const Payloads& payloads, const ReadProgress& progress) {
+  Survey found;
+  found.timed = payloads.is_timed();
+  found.damaged = payloads.each(
+      [&](const gpmf::Device& device, const mp4::Payload& payload) {
+        if (!device.gyro && !device.accel) return true;
+        if (found.device.empty()) found.device = device.name;
+        if (device.gyro) found.gyro.add(*device.gyro, payload.start_s);
+        if (device.accel) found.accel.add(*device.accel, payload.start_s);
+        found.end_s = payload.end_s;
+        if (std::max(found.gyro.payloads.size(), found.accel.payloads.size()) > kMostPayloads) {
+          context.fail(ExitCode::kLimit, "E-LIMIT", "more than 2^21 payloads with an IMU", context.path(),
+                       "cut the recording");
+        }
+        return true;
+      },
+      progress);
+  return found;
 }
 
 /// The clock of a triad: STMP if there are two, else the times of the payloads and the end of the last one.
-FittedClock clock_of(ReadContext& context, const Loaded& loaded, Series& series, const std::string& name) {
+FittedClock clock_of(ReadContext& context, const Survey& found, const Series& series, const std::string& name) {
   std::optional<FittedClock> clock = fit_clock(series.stamps);
   if (!clock) {
     std::vector<ClockPoint> points = series.payloads;
-    points.push_back({series.next_index(), loaded.end_s});
+    points.push_back({series.count.next, found.end_s});
     const double shift = series.stamps.empty() ? 0.0 : series.stamps[0].seconds - series.payloads[0].seconds;
     clock = fit_clock(points);
     if (clock) clock->start_s += shift;
-    if (!loaded.timed) {
+    if (!found.timed) {
       context.warn("W-CLOCK", "the telemetry has no times", context.path(),
                    "each payload is taken for " + brief(kPayloadSeconds) + " s long, as is usual",
                    "read the video that it comes from");
     }
   }
+  if (clock && clock->start_s < 0.0 && clock->start_s > -kRounding) clock->start_s = 0.0;
   const double rate = clock ? 1.0 / clock->period_s : 0.0;
-  const double last = clock ? clock->start_s + clock->period_s * static_cast<double>(series.next_index()) : 0.0;
+  const double last = clock ? clock->start_s + clock->period_s * static_cast<double>(series.count.next) : 0.0;
   if (!(rate >= 1.0 && rate <= 1e5) || !(std::abs(clock->start_s) < kMaxSeconds && last < kMaxSeconds)) {
     context.fail(ExitCode::kInput, "E-TIME-UNIT", "the stamps of the " + name + " imply " + brief(rate) + " Hz",
                  context.path(), "the telemetry is damaged");
@@ -150,7 +120,7 @@ const char* usual_axes(const std::string& device) {
   return "ZXY";
 }
 
-Matrix3d axes_of(ReadContext& context, const Loaded& loaded, const Series& series) {
+Matrix3d axes_of(ReadContext& context, const Survey& found, const Series& series) {
   if (!context.options().imu_axes.empty()) {
     if (const auto axes = gpmf::axes_from(context.options().imu_axes)) return *axes;
     throw Error(ExitCode::kUsage,
@@ -168,31 +138,54 @@ Matrix3d axes_of(ReadContext& context, const Loaded& loaded, const Series& serie
   }
   if (direct) return *direct;
   if (after && series.matrix) return *after * *series.matrix;
-  const char* axes = usual_axes(loaded.device);
-  context.warn("W-AXES", "the file does not say which axis is which; camera " + vispline::quoted(loaded.device),
+  const char* axes = usual_axes(found.device);
+  context.warn("W-AXES", "the file does not say which axis is which; camera " + vispline::quoted(found.device),
                context.path(), std::string("channels are taken as ") + axes, "--imu-axes settles it");
   return *gpmf::axes_from(axes);
 }
 
-std::vector<SensorRow> rows_of(ReadContext& context, const Loaded& loaded, Series& series, const std::string& name) {
-  std::vector<SensorRow> rows;
-  if (series.samples.empty()) return rows;
-  const FittedClock clock = clock_of(context, loaded, series, name);
-  const Matrix3d axes = axes_of(context, loaded, series);
-  rows.reserve(series.samples.size());
-  for (std::size_t i = 0; i < series.samples.size(); ++i) {
-    const Vector3d value = axes * series.samples[i];
-    const double seconds = clock.start_s + clock.period_s * static_cast<double>(series.index[i]);
-    SensorRow row{.ns = std::llround(seconds * 1e9), .where = static_cast<std::int64_t>(i) + 1};
-    for (std::size_t axis = 0; axis < 3; ++axis) row.values[axis] = value[static_cast<Eigen::Index>(axis)];
-    rows.push_back(row);
+/// Turns the samples of one triad, payload by payload, into rows.
+class Rows {
+ public:
+  Rows(ReadContext& context, const Survey& found, const Series& series, const std::string& name)
+      : clock_(clock_of(context, found, series, name)), axes_(axes_of(context, found, series)) {}
+
+  template <class Push>
+  void each(const gpmf::Triad& triad, const Push& push) {
+    std::int64_t index = count_.take(triad);
+    for (const Vector3d& channels : triad.samples) {
+      const Vector3d value = axes_ * channels;
+      const double seconds = clock_.start_s + clock_.period_s * static_cast<double>(index++);
+      SensorRow row{.ns = std::llround(seconds * 1e9), .where = ++samples_};
+      for (std::size_t axis = 0; axis < 3; ++axis) row.values[axis] = value[static_cast<Eigen::Index>(axis)];
+      push(row);
+    }
   }
-  return rows;
-}
+
+ private:
+  FittedClock clock_;
+  Matrix3d axes_;
+  SampleCount count_;
+  std::int64_t samples_ = 0;
+};
 
 ImuAxes axes_present(const Series& gyro, const Series& accel) {
-  const bool g = !gyro.samples.empty(), a = !accel.samples.empty();
+  const bool g = !gyro.empty(), a = !accel.empty();
   return {.present = {g, g, g, a, a, a}};
+}
+
+void push_all(ReadContext& context, const Payloads& payloads, const Survey& found, const ReadProgress& progress,
+              TriadStream& stream) {
+  std::optional<Rows> gyro, accel;
+  if (!found.gyro.empty()) gyro.emplace(context, found, found.gyro, "gyroscope");
+  if (!found.accel.empty()) accel.emplace(context, found, found.accel, "accelerometer");
+  payloads.each(
+      [&](const gpmf::Device& device, const mp4::Payload&) {
+        if (gyro && device.gyro) gyro->each(*device.gyro, [&](const SensorRow& row) { stream.push_gyro(row); });
+        if (accel && device.accel) accel->each(*device.accel, [&](const SensorRow& row) { stream.push_accel(row); });
+        return true;
+      },
+      progress);
 }
 
 }  // namespace
@@ -203,55 +196,51 @@ bool recognizes(Bytes head) {
 
 ImuStreamResult stream(const Input& input, const ReadOptions& options, const ImuSink& sink,
                        const ImuStreamSettings& settings) {
-  ReadContext context(input.name(), "IMU samples", options);
+  ReadContext context(input.name(), "IMU samples", options), accel_context(input.name(), "IMU samples", options);
   context.name_places(", sample ");
-  Loaded loaded;
-  if (mp4::recognizes(as_bytes(input.head(16)))) {
-    load_mp4(context, input, settings.progress, loaded);
-  } else {
-    load_bare(context, input, loaded);
+  accel_context.name_places(", accelerometer sample ");
+  const Payloads payloads(input);
+  if (!payloads.has_track() && payloads.is_damaged()) {
+    context.fail(ExitCode::kInput, "E-CORRUPT", "the video is cut or damaged, and what is left has no gpmd track",
+                 context.path(), "get the file again, or mend its index with a tool for MP4");
   }
-  const ImuAxes axes = axes_present(loaded.gyro, loaded.accel);
+  if (!payloads.has_track()) {
+    context.fail(ExitCode::kInput, "E-FORMAT", "a video without a gpmd track", context.path(),
+                 "only GoPro videos carry the readings of an IMU in a form that is known");
+  }
+  const Survey found = survey(context, payloads, part_of(settings.progress, 0, 2));
+  const ImuAxes axes = axes_present(found.gyro, found.accel);
   if (!axes.has_gyro() && !axes.has_accel()) {
     context.fail(ExitCode::kInput, "E-EMPTY", "no IMU samples in the telemetry", context.path(),
                  "give a recording of a camera with an IMU");
   }
-  require_imu(context, axes, settings.whole_imu);
-  if (loaded.damaged) {
+  TriadStream stream(context, accel_context, sink, axes, settings.whole_imu, settings.window_rows);
+  if (found.damaged) {
     context.warn("W-CORRUPT", "part of the telemetry is damaged or cut", context.path(), "that part is left out");
   }
-  ImuScreen screen(context, sink, axes, settings.window_rows);
-  const auto gyro = rows_of(context, loaded, loaded.gyro, "gyroscope");
-  push_paired(context, gyro, rows_of(context, loaded, loaded.accel, "accelerometer"), screen);
-  screen.flush();
-  screen.finish();
+  push_all(context, payloads, found, part_of(settings.progress, 1, 2), stream);
+  stream.finish("the telemetry is damaged");
   return {.counts = std::move(context.counts),
           .diagnostics = std::move(context.diagnostics),
           .format = std::string(kName),
           .axes = axes,
-          .largest_window = screen.largest_window(),
+          .largest_window = stream.largest_window(),
           .late = context.late};
 }
 
 std::optional<Readout> readout(const Input& input) {
-  const auto in_payload = [](const std::string& bytes) -> std::optional<Readout> {
-    Bytes rest = as_bytes(bytes);
-    bool cut = false;
-    for (const gpmf::Device& device : gpmf::parse(rest, cut)) {
-      if (device.readout_s.value_or(0.0) > 0.0) return Readout{*device.readout_s, "SROT"};
-    }
-    return std::nullopt;
+  std::optional<Readout> found;
+  const auto take = [&](const gpmf::Device& device, const mp4::Payload&) {
+    if (device.readout_s.value_or(0.0) > 0.0) found = Readout{*device.readout_s, "SROT"};
+    return !found;
   };
-  if (!mp4::recognizes(as_bytes(input.head(16)))) {
-    return in_payload(bytes_at(input, 0, static_cast<std::size_t>(std::min(input.size(), kMaxBareBytes))));
+  const Payloads payloads(input);
+  bool cut = false;
+  for (const gpmf::Device& device : gpmf::parse(as_bytes(payloads.settings()), cut)) {
+    if (!take(device, {})) return found;
   }
-  const mp4::Telemetry telemetry = mp4::find_telemetry(input);
-  if (const auto found = in_payload(telemetry.settings)) return found;
-  for (const mp4::Payload& payload : telemetry.payloads) {
-    if (payload.size > mp4::kMaxPayloadBytes) continue;
-    if (const auto found = in_payload(bytes_at(input, payload.offset, payload.size))) return found;
-  }
-  return std::nullopt;
+  payloads.each(take);
+  return found;
 }
 
 }  // namespace vispline::gopro

@@ -41,6 +41,17 @@ TEST(Gopro, BarePayloadsAreSpreadWithAWarning) {
   EXPECT_NEAR(static_cast<double>(to_ns(read.value.time[20])), 1.001e9, 1.0);
 }
 
+// Memory is that of some windows, however long the recording is, and no sample is lost to rounding.
+TEST(Gopro, LongRecordingInWindows) {
+  std::string bytes;
+  for (int i = 0; i < 3000; ++i) bytes += small_gopro_payload(i, false);
+  const auto read =
+      gopro::stream(Input::from_memory(bytes, "long"), {}, kNoSink, {.window_rows = 64, .whole_imu = true});
+  EXPECT_EQ(read.counts.read, 60000);
+  EXPECT_EQ(read.counts.kept, 60000);
+  EXPECT_LE(read.largest_window, 8u * 64u);
+}
+
 TEST(Gopro, AxesByFlag) {
   const ScratchFolder folder;
   const std::string path = folder.write("v.mp4", small_gopro_mp4());
@@ -77,6 +88,19 @@ TEST(Gopro, CutAtEveryByte) {
     }
     EXPECT_EQ(most, container ? 40 : 20);
   }
+}
+
+// The index of a video stands at its end.
+TEST(Gopro, VideoThatIsCut) {
+  const ScratchFolder folder;
+  const std::string whole = small_gopro_mp4();
+  const auto read =
+      read_imu(folder.write("v.mp4", whole.substr(0, whole.size() - 4)));  // the place of the last payload
+  EXPECT_EQ(read.counts.kept, 40);
+  EXPECT_EQ(read.diagnostics.counts().at("W-CORRUPT"), 1);
+  const Outcome before = imu_outcome(folder.write("w.mp4", whole.substr(0, whole.size() / 2)));
+  EXPECT_EQ(before.codes, "E-CORRUPT");
+  EXPECT_EQ(before.exit, 3);
 }
 
 TEST(SampleClock, LeastSquaresOfALine) {

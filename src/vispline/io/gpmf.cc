@@ -143,6 +143,11 @@ bool KlvReader::next(Klv& klv) {
   return true;
 }
 
+std::optional<std::uint64_t> bytes_of(Bytes head) {
+  if (head.size() < 8 || load_be(head.data(), 4) == 0) return std::nullopt;
+  return load_be(head.data() + 5, 1) * load_be(head.data() + 6, 2);
+}
+
 std::size_t width_of(char type) {
   switch (type) {
     case 'b':

@@ -38,6 +38,9 @@ class KlvReader {
   bool cut_ = false;
 };
 
+/// How long the value behind the eight bytes of a key is, without padding; empty for fewer bytes and a key of zeros.
+std::optional<std::uint64_t> bytes_of(Bytes head);
+
 /// Number `index` of a value of type b B s S l L j J f d; empty for others and beyond the end.
 std::optional<double> number(const Klv& klv, std::size_t index);
 /// Bytes of one number of `type`; 0: it is none.

@@ -68,7 +68,12 @@ class Walk {
     } else if (size == 0) {
       size = end - at;
     }
-    if (size < header || size > end - at) return std::nullopt;
+    if (size < header) return std::nullopt;
+    if (size > end - at) {
+      if (end < input_.size() || head.size() < header) return std::nullopt;
+      found_.damaged = true;  // the file is cut in this box: what is there of it counts
+      size = end - at;
+    }
     return Box{static_cast<std::uint32_t>(load_be(head, 4, 4)), at + header, at + size};
   }
 

@@ -10,7 +10,7 @@
 namespace vispline {
 namespace {
 
-constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 
 /// libpng's simplified interface; frees what it holds.
 struct PngImage {
@@ -59,11 +59,11 @@ GreyImage decode_png(std::string_view bytes, const std::string& name) {
   if (std::uint64_t{png.image.width} * png.image.height > kMostPixels) {
     throw Error(ExitCode::kLimit,
                 {.code = "E-LIMIT",
-                 .message = "the image in " + vispline::quoted(name) + " has " + std::to_string(png.image.width) + " x " +
-                            std::to_string(png.image.height) + " pixels",
+                 .message = "the image in " + vispline::quoted(name) + " has " + std::to_string(png.image.width) +
+                            " x " + std::to_string(png.image.height) + " pixels",
                  .where = name,
                  .effect = "image not read",
-                 .next = "at most 2^28 pixels are read"});
+                 .next = "at most 2^26 pixels are read"});
   }
   png.image.format = PNG_FORMAT_GRAY;
   GreyImage image{static_cast<int>(png.image.width), static_cast<int>(png.image.height)};

@@ -14,7 +14,7 @@ std::string png_bytes(const GreyImage& image);
 
 /// The image in the bytes of a PNG file; colours become grey, alpha is dropped, 16 bits are cut to 8. `name` says in
 /// errors where they come from. Throws Error(kInput, E-IMAGE) for bytes that are no whole PNG, Error(kLimit, E-LIMIT)
-/// for more than 2^28 pixels.
+/// for more than 2^26 pixels, before any is decoded.
 GreyImage decode_png(std::string_view bytes, const std::string& name);
 
 }  // namespace vispline

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "vispline/bags/mcap_records.h"
 #include "vispline/core/error.h"
 
 namespace vispline {
@@ -45,6 +46,21 @@ TEST(Png, BrokenOnesAreErrorsWithTheirName) {
   }
   EXPECT_THROW(png_bytes({}), Error);
   EXPECT_THROW(png_bytes({2, 2, {1, 2, 3}}), Error);
+}
+
+/// What a header claims is held against the cap before memory is taken.
+TEST(Png, HeaderThatClaimsTooMuch) {
+  std::string bytes = png_bytes(generic_image(40, 30));
+  bytes.replace(16, 8, std::string("\0\0\x20\x01\0\0\x20\0", 8));  // 8193 x 8192
+  const std::uint32_t crc = mcap::crc32_of(as_bytes(bytes).subspan(12, 17));
+  for (int i = 0; i < 4; ++i) bytes[static_cast<std::size_t>(29 + i)] = static_cast<char>(crc >> (24 - 8 * i));
+  try {
+    decode_png(bytes, "frame.png");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.diagnostic().code, "E-LIMIT");
+    EXPECT_EQ(error.exit_code(), ExitCode::kLimit);
+  }
 }
 
 }  // namespace

@@ -160,6 +160,13 @@ TEST(ReadImu, Stamps) {  // rows 14 - 23
       {"microseconds", scaled(1e6), "E-TIME-UNIT", 3, 0, {}},
       {"hours", scaled(1.0 / 3600), "E-TIME-UNIT", 3, 0, {}},
       {"beyond 64 bits", edited([](Rows&) {}) + "99999999999999999999,1,1,1,1,1,9\n", "W-TIME-RANGE", 0, kRows, {}},
+      {"all beyond 64 bits",
+       "#timestamp [ns],gx,gy,gz,ax,ay,az\n99999999999999999999,1,1,1,1,1,9\n99999999999999999999,2,1,1,1,1,9\n"
+       "99999999999999999999,1,3,1,1,1,9\n",
+       "E-TIME-RANGE",
+       3,
+       {},
+       {}},
       {"one negative", replaced(text_of(healthy()), "100.045000000,", "-1.5,"), "W-TIME-RANGE", 0, kRows - 1, {}},
       {"many negative",
        edited([](Rows& r) {

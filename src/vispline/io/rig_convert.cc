@@ -27,6 +27,9 @@ NoiseModel noise_of(double white, const WalkEntry& walk) {
   return {.white = white, .walk = dialect::written_walk(walk).value_or(0.0)};
 }
 
+/// No walk at all is none that other tools could hold: they divide by it.
+WalkEntry walk_of(double walk) { return walk > 0.0 ? WalkEntry{.value = walk} : WalkEntry{}; }
+
 /// The parts of M = I + diag(scale) + misalignment, sensors/triad.h.
 template <class Params>
 void set_triad(const Matrix3d& M, Params& params) {
@@ -55,12 +58,15 @@ ImuCalibration calibration_of(const Imu& imu, std::vector<std::string>& notes) {
     notes.push_back(imu.name + ": the time offset of its gyroscope, " + dialect::brief(gyro.time_offset_s) +
                     " s, stands for both triads");
   }
+  if (imu.noise.gyro.walk <= 0.0 || imu.noise.accel.walk <= 0.0) {
+    notes.push_back(imu.name + ": a random walk of 0 is left out; set it by hand for tools that ask for one");
+  }
   if (!gyro.bias.isZero(0.0) || !accel.bias.isZero(0.0)) notes.push_back(imu.name + ": its biases are lost");
   ImuCalibration calibration{.T_i_b = accel.T_b_i.inverse(), .time_offset = gyro.time_offset_s};
   calibration.noise = {.gyro_white = imu.noise.gyro.white,
                        .accel_white = imu.noise.accel.white,
-                       .gyro_walk = {.value = imu.noise.gyro.walk},
-                       .accel_walk = {.value = imu.noise.accel.walk},
+                       .gyro_walk = walk_of(imu.noise.gyro.walk),
+                       .accel_walk = walk_of(imu.noise.accel.walk),
                        .rate_hz = imu.rate_hz,
                        .topic = "/" + imu.name,
                        .name = imu.name};

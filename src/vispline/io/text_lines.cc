@@ -30,6 +30,11 @@ std::size_t end_of_rows(std::string_view text, std::size_t rows) {
 
 }  // namespace
 
+ReadProgress part_of(const ReadProgress& progress, std::uint64_t pass, std::uint64_t passes) {
+  if (!progress) return {};
+  return [=](std::uint64_t done, std::uint64_t total) { progress((total * pass + done) / passes, total); };
+}
+
 TextLines::TextLines(const ReadContext& context, std::size_t block_bytes, ReadProgress progress)
     : context_(context),
       file_(context.path(), block_bytes),

@@ -14,6 +14,9 @@ namespace vispline {
 /// Called now and then with the bytes taken from the disk, of all; what it throws ends the reading.
 using ReadProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
+/// The progress of pass `pass`, from 0, of a file that is read `passes` times.
+ReadProgress part_of(const ReadProgress& progress, std::uint64_t pass, std::uint64_t passes);
+
 struct TextLine {
   std::string_view text;  ///< without its line end; valid until the next call
   std::int64_t number;    ///< from 1

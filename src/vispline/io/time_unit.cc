@@ -139,6 +139,13 @@ std::string guesses(double step) {
                context.path(), "pass --time-unit s, ms, us, ns or index@RATE");
 }
 
+[[noreturn]] void fail_range(const ReadContext& context, std::size_t beyond, std::size_t stamps) {
+  context.fail(
+      ExitCode::kInput, "E-TIME-RANGE",
+      std::to_string(beyond) + " of " + std::to_string(stamps) + " stamps are no times of 64 bits of nanoseconds",
+      context.path(), "give stamps below 2262, in s, ms, us or ns");
+}
+
 }  // namespace
 
 double TimeUnit::nanoseconds() const {
@@ -199,6 +206,8 @@ std::optional<std::int64_t> to_nanoseconds(const Decimal& stamp, const TimeUnit&
 TimeUnit settle_time_unit(const ReadContext& context, const std::vector<Decimal>& stamps, bool all,
                           std::optional<TimeUnit> declared) {
   if (stamps.size() < 2) return declared.value_or(TimeUnit{});
+  const auto beyond = static_cast<std::size_t>(std::ranges::count(stamps, kNoStamp, &Decimal::whole));
+  if (2 * beyond > stamps.size()) fail_range(context, beyond, stamps.size());
   const double step = median_step(stamps);
   const bool epoch_ns = stamps[stamps.size() / 2].whole > kEpochNanoseconds;
   const TimeUnit assumed = declared.value_or(TimeUnit{.kind = epoch_ns ? Kind::kNanoseconds : Kind::kSeconds});

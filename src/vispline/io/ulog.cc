@@ -1,6 +1,8 @@
 #include "vispline/io/ulog.h"
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "vispline/io/triad_pair.h"
@@ -12,9 +14,18 @@ namespace {
 constexpr std::int64_t kMaxMicroseconds = INT64_MAX / 1000;
 constexpr std::int64_t kNoRelativeTime = INT32_MAX;
 
+/// Takes the rows of one source, as they stand in the log.
 struct Rows {
-  std::vector<SensorRow> gyro, accel;
+  std::function<void(const SensorRow&)> on_gyro, on_accel;
   std::int64_t short_messages = 0;
+  std::int64_t last_accel = kNoStamp;
+
+  /// Stamps of an accelerometer that is slower than the gyroscope repeat.
+  void newer_accel(const SensorRow& row) {
+    if (row.ns == kNoStamp || row.ns <= last_accel) return;
+    last_accel = row.ns;
+    on_accel(row);
+  }
 };
 
 /// Three numbers of a message; nan where it has none.
@@ -38,16 +49,11 @@ std::optional<std::int64_t> stamp_of(const Subscription& topic, Bytes message) {
   return integer(topic, message, "timestamp");
 }
 
-/// Stamps of an accelerometer that is slower than the gyroscope repeat.
-void add_newer(std::vector<SensorRow>& rows, const SensorRow& row) {
-  if (row.ns != kNoStamp && (rows.empty() || row.ns > rows.back().ns)) rows.push_back(row);
-}
-
 void take_combined(const Subscription& topic, Bytes message, std::int64_t us, std::int64_t where, Rows& rows) {
-  rows.gyro.push_back(array_row(topic, message, us, "gyro_rad", 1.0, where));
+  rows.on_gyro(array_row(topic, message, us, "gyro_rad", 1.0, where));
   const std::int64_t later = integer(topic, message, "accelerometer_timestamp_relative").value_or(0);
   if (later == kNoRelativeTime || us < 0 || us > kMaxMicroseconds) return;
-  add_newer(rows.accel, array_row(topic, message, us + later, "accelerometer_m_s2", 1.0, where));
+  rows.newer_accel(array_row(topic, message, us + later, "accelerometer_m_s2", 1.0, where));
 }
 
 void take_increments(const Subscription& topic, Bytes message, std::int64_t us, std::int64_t where, Rows& rows) {
@@ -57,14 +63,14 @@ void take_increments(const Subscription& topic, Bytes message, std::int64_t us, 
     ++rows.short_messages;
     return;
   }
-  rows.gyro.push_back(array_row(topic, message, us, "delta_angle", 1.0 / gyro_dt, where));
-  add_newer(rows.accel, array_row(topic, message, us, "delta_velocity", 1.0 / accel_dt, where));
+  rows.on_gyro(array_row(topic, message, us, "delta_angle", 1.0 / gyro_dt, where));
+  rows.newer_accel(array_row(topic, message, us, "delta_velocity", 1.0 / accel_dt, where));
 }
 
 void take_single(const Subscription& topic, Bytes message, std::int64_t us, std::int64_t where, Rows& rows) {
   const SensorRow row = row_of(topic, message, us, {"x", "y", "z"}, {0, 0, 0}, 1.0, where);
-  if (topic.name == "sensor_gyro") rows.gyro.push_back(row);
-  if (topic.name == "sensor_accel") add_newer(rows.accel, row);
+  if (topic.name == "sensor_gyro") rows.on_gyro(row);
+  if (topic.name == "sensor_accel") rows.newer_accel(row);
 }
 
 /// A way to an IMU: the topics that make it up and how their messages are taken apart.
@@ -95,26 +101,33 @@ const Source* source_of(const Subscriptions& subscriptions) {
   return nullptr;
 }
 
-Rows load(const ReadContext& context, const Input& input, const Subscriptions& scanned, const Source& source) {
-  Rows rows;
+/// The messages of a source, from front to end.
+void take_all(const Input& input, const Subscriptions& scanned, const Source& source, const ReadProgress& progress,
+              Rows& rows) {
   std::array<std::optional<int>, 2> instance;
   for (std::size_t i = 0; i < 2; ++i) instance[i] = instance_of(scanned, source.topics[i]);
   Subscriptions again;
-  walk(input, again, [&](const Subscription& topic, Bytes message, std::uint64_t offset) {
+  const auto take = [&](const Subscription& topic, Bytes message, std::uint64_t offset) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (topic.name != source.topics[i] || topic.instance != instance[i]) continue;
-      require_below(context, rows.gyro.size() + rows.accel.size(), "samples");
       if (const auto us = stamp_of(topic, message)) {
         source.take(topic, message, *us, static_cast<std::int64_t>(offset), rows);
       } else {
         ++rows.short_messages;
       }
     }
-  });
-  return rows;
+  };
+  walk(input, again, take, progress);
 }
 
-void warn_damage(ReadContext& context, const Walked& walked, const Rows& rows) {
+ImuAxes axes_of(const Input& input, const Subscriptions& scanned, const Source& source, const ReadProgress& progress) {
+  bool g = false, a = false;
+  Rows rows{.on_gyro = [&](const SensorRow&) { g = true; }, .on_accel = [&](const SensorRow&) { a = true; }};
+  take_all(input, scanned, source, progress, rows);
+  return {.present = {g, g, g, a, a, a}};
+}
+
+void warn_damage(ReadContext& context, const Walked& walked) {
   if (walked.truncated) {
     context.warn("W-TRUNCATED", "the last message is cut", context.path(), "the messages before it are read");
   }
@@ -122,6 +135,9 @@ void warn_damage(ReadContext& context, const Walked& walked, const Rows& rows) {
     context.warn("W-CORRUPT", std::to_string(walked.corrupt_bytes) + " bytes are no messages", context.path(),
                  "they are passed over");
   }
+}
+
+void drop_short(ReadContext& context, const Rows& rows) {
   context.counts.read += rows.short_messages;
   for (std::int64_t i = 0; i < rows.short_messages; ++i) {
     context.drop("W-MESSAGE", "a message without a stamp or an interval", context.path());
@@ -134,29 +150,31 @@ bool recognizes(Bytes head) { return as_text(head).starts_with(std::string_view(
 
 ImuStreamResult stream(const Input& input, const ReadOptions& options, const ImuSink& sink,
                        const ImuStreamSettings& settings) {
-  ReadContext context(input.name(), "IMU samples", options);
+  ReadContext context(input.name(), "IMU samples", options), accel_context(input.name(), "IMU samples", options);
   context.name_places(", byte ");
+  accel_context.name_places(", byte ");
   Subscriptions subscriptions;
-  const Walked walked = walk(input, subscriptions, [](const Subscription&, Bytes, std::uint64_t) {});
+  const auto count_only = [](const Subscription&, Bytes, std::uint64_t) {};
+  const Walked walked = walk(input, subscriptions, count_only, part_of(settings.progress, 0, 3));
   const Source* source = source_of(subscriptions);
   if (source == nullptr) {
     context.fail(ExitCode::kUnfit, "E-TOPIC", "no topic holds IMU samples", context.path(),
                  "log sensor_combined, vehicle_imu, or sensor_gyro and sensor_accel");
   }
-  const Rows rows = load(context, input, subscriptions, *source);
-  const bool g = !rows.gyro.empty(), a = !rows.accel.empty();
-  const ImuAxes axes{.present = {g, g, g, a, a, a}};
-  if (g || a) require_imu(context, axes, settings.whole_imu);
-  warn_damage(context, walked, rows);
-  ImuScreen screen(context, sink, axes, settings.window_rows);
-  push_paired(context, rows.gyro, rows.accel, screen);
-  screen.flush();
-  screen.finish();
+  const ImuAxes axes = axes_of(input, subscriptions, *source, part_of(settings.progress, 1, 3));
+  const bool whole_imu = settings.whole_imu && (axes.has_gyro() || axes.has_accel());
+  TriadStream stream(context, accel_context, sink, axes, whole_imu, settings.window_rows);
+  warn_damage(context, walked);
+  Rows rows{.on_gyro = [&](const SensorRow& row) { stream.push_gyro(row); },
+            .on_accel = [&](const SensorRow& row) { stream.push_accel(row); }};
+  take_all(input, subscriptions, *source, part_of(settings.progress, 2, 3), rows);
+  drop_short(context, rows);
+  stream.finish("the clock of the log stands still");
   return {.counts = std::move(context.counts),
           .diagnostics = std::move(context.diagnostics),
           .format = std::string(kName),
           .axes = axes,
-          .largest_window = screen.largest_window(),
+          .largest_window = stream.largest_window(),
           .late = context.late};
 }
 

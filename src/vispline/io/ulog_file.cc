@@ -14,6 +14,7 @@ constexpr std::string_view kMagic("ULog\x01\x12\x35", 7);
 constexpr std::string_view kSync("\x08\0S\x2f\x73\x13\x20\x25\x0c\xbb\x12", 11);
 constexpr std::string_view kTypes = "BFIMPQARDLCSO";
 constexpr std::size_t kSearchBytes = std::size_t{1} << 16;
+constexpr std::uint64_t kProgressBytes = std::uint64_t{1} << 20;
 
 std::size_t width_of(std::string_view type) {
   if (type == "int8_t" || type == "uint8_t" || type == "bool" || type == "char") return 1;
@@ -61,13 +62,19 @@ class Walker {
   Walker(const Input& input, Subscriptions& subscriptions, const OnData& on_data)
       : input_(input), window_(input), subscriptions_(subscriptions), on_data_(on_data) {}
 
-  Walked walk() {
+  Walked walk(const ReadProgress& progress) {
     const Bytes head = window_.view(0, kHeaderBytes);
     if (head.size() < kHeaderBytes || !as_text(head).starts_with(kMagic)) {
       fail(ExitCode::kInput, "E-FORMAT", "the file is no ULog");
     }
     ends_ = {input_.size()};
-    for (std::uint64_t at = kHeaderBytes; at < input_.size();) at = message(at);
+    std::uint64_t told = 0;
+    for (std::uint64_t at = kHeaderBytes; at < input_.size();) {
+      at = message(at);
+      if (!progress || at - told < kProgressBytes) continue;
+      told = at;
+      progress(at, input_.size());
+    }
     return walked_;
   }
 
@@ -193,8 +200,8 @@ std::int64_t integer_of(const Field& field, std::uint64_t bits) {
 
 }  // namespace
 
-Walked walk(const Input& input, Subscriptions& subscriptions, const OnData& on_data) {
-  return Walker(input, subscriptions, on_data).walk();
+Walked walk(const Input& input, Subscriptions& subscriptions, const OnData& on_data, const ReadProgress& progress) {
+  return Walker(input, subscriptions, on_data).walk(progress);
 }
 
 std::optional<double> number(const Subscription& topic, Bytes message, const std::string& name, std::size_t index) {

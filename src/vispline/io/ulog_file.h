@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "vispline/bags/input.h"
+#include "vispline/io/text_lines.h"
 
 namespace vispline::ulog {
 
@@ -42,7 +43,7 @@ using OnData = std::function<void(const Subscription&, Bytes, std::uint64_t offs
 
 /// Reads from front to end through one window. Throws E-FORMAT (exit 3) if it is no ULog, E-UNSUPPORTED for a flag of
 /// incompatibility that is not known, E-LIMIT (exit 7) for more than 4096 definitions.
-Walked walk(const Input& input, Subscriptions& subscriptions, const OnData& on_data);
+Walked walk(const Input& input, Subscriptions& subscriptions, const OnData& on_data, const ReadProgress& progress = {});
 
 /// Element `index` of a field; empty if the message is too short or has no such field.
 std::optional<double> number(const Subscription& topic, Bytes message, const std::string& field, std::size_t index = 0);

@@ -101,6 +101,13 @@ TEST(Ulog, AppendedData) {
   EXPECT_EQ(read.counts.read, 29);  // the message at the seam is lost
 }
 
+TEST(Ulog, LongLogInWindows) {
+  const auto read = ulog::stream(Input::from_memory(combined_ulog(20000), "long"), {}, kNoSink,
+                                 {.window_rows = 64, .whole_imu = true});
+  EXPECT_EQ(read.counts.kept, 19999);
+  EXPECT_LE(read.largest_window, 8u * 64u);
+}
+
 TEST(Ulog, CutAtEveryByte) {
   const std::string whole = combined_ulog(14);
   std::int64_t most = 0;
