@@ -2,9 +2,10 @@
 # Every table of docs/math/estimate-results.md, from nothing but the program: motions and rigs are written here, the
 # recordings simulated, the estimates compared with their truth.
 #
-#   docs/reproduce.sh [convergence] [nominal] [paper] [start] [cameras] [reference] [twin] [real]     default: all
+#   docs/reproduce.sh [convergence] [nominal] [paper] [start] [cameras] [reference] [twin] [coverage] [real]   default: all
 #
-# VISPLINE: the program. OUT: folder for recordings and results. SEEDS: how many draws of each. TWINS: runs of twin.
+# VISPLINE: the program. OUT: folder for recordings and results. SEEDS: how many draws of each. TWINS: runs of twin. DRAWS: of
+# the table of coverage.
 # REAL: folder with noncommercial/tumvi_calib_imu1_first31s; without it there are no tables of real data.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,8 +13,9 @@ VISPLINE=$(realpath "${VISPLINE:-build/release/vispline}")
 OUT=${OUT:-out/reproduce}
 SEEDS=${SEEDS:-5}
 TWINS=${TWINS:-200}
+DRAWS=${DRAWS:-200}
 REAL=${REAL:-}
-ALL="convergence nominal paper start cameras reference twin real"
+ALL="convergence nominal paper start cameras reference twin coverage real"
 
 # motion SEED DURATION_S "frequencies [Hz]" "position amplitudes [m]" "rotation amplitudes [rad]": poses (TUM) every
 # ms of sums of sinusoids, with phases drawn from the seed. Amplitudes of the tones fall as f^-0.7. The simulator's spline
@@ -218,6 +220,23 @@ table_twin() {
   local d; d=$(fresh twin); paper_data "$d" 2 3 0 15
   estimated "$d" E "$d/start.yaml" $FREE --knot-spacing 0.1 --noise rig --twin "$TWINS"
   grep -iE 'class|twin|nees|cover' "$d/E.txt" || cat "$d/E.log"
+}
+table_coverage() {
+  echo; echo "== P at 15 Hz from the poor start of N, $DRAWS draws of everything: how many errors lie within 1.96 sigma"
+  for s in $(seq "$DRAWS"); do
+    local d; d=$(fresh "coverage$s"); paper_data "$d" "$((1000 + s))" 3 0 15
+    poor "$d/start.yaml" $P_IMU 15 0.28 535.5 0.02 "0.0504 -0.0504 0.0504" "0.0289 -0.0289 0.0289" 0.0
+    estimated "$d" E "$d/start.yaml" $FREE --knot-spacing 0.1
+    rm -rf "$d/D" "$d/motion.tum" "$d/E"
+  done
+  awk -F'  +' '
+    /^class: / { class = substr($0, 8); ++runs[class] }
+    class ~ /^converged/ && /^(cam0|imu0)\./ && NF >= 7 { ++n[$1]; s[$1] += $6 * $6; within[$1] += $6 * $6 < 3.8416; if ($6 * $6 > 9) ++far }
+    END {
+      for (c in runs) printf "%s: %d\n", c, runs[c]
+      for (k in n) { printf "%-26s in 95 %%: %5.1f %%   rms %.2f sigma\n", k, 100 * within[k] / n[k], sqrt(s[k] / n[k]); a += within[k]; b += n[k]; q += s[k] }
+      printf "all parameters: in 95 %%: %.1f %%, mean square %.3f, beyond 3 sigma %.2f %%\n", 100 * a / b, q / b, 100 * far / b
+    }' "$OUT"/coverage*/E.txt
 }
 table_real() {
   local d=$REAL/noncommercial/tumvi_calib_imu1_first31s
