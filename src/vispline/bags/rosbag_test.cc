@@ -202,7 +202,7 @@ TEST_F(Rosbag, WrongIndex) {
 }
 
 TEST_F(Rosbag, BytesBehindTheIndex) {
-  for (const std::string more :
+  for (const std::string& more :
        {std::string(7, '\0'), std::string("garbage behind the index"), std::string("\5\0\0\0", 4)}) {
     const BagOutcome outcome = outcome_of_bytes(bag(small_, Codec::kLz4) + more);
     EXPECT_EQ(outcome.codes, "W-INDEX");

@@ -13,12 +13,13 @@ struct ImuLocal {
   std::size_t first_node = 0;
 
   ImuLocal(const ImuColumns& global, const GravityColumns& gravity, Rows& rows)
-      : c{rows.append(global.translation, 3), rows.append(global.rotation, 3),
-          rows.append(global.time_offset, 1), rows.append(global.gyro_bias, 3),
-          rows.append(global.gyro_scale, 3),  rows.append(global.gyro_lower, 3),
-          rows.append(global.gyro_upper, 3),  rows.append(global.gyro_g_sensitivity, 9),
-          rows.append(global.accel_bias, 3),  rows.append(global.accel_scale, 3),
-          rows.append(global.accel_lower, 3), rows.append(global.accel_upper, 3)},
+      : c{rows.append(global.translation, 3),       rows.append(global.rotation, 3),
+          rows.append(global.time_offset, 1),       rows.append(global.gyro_bias, 3),
+          rows.append(global.gyro_scale, 3),        rows.append(global.gyro_lower, 3),
+          rows.append(global.gyro_upper, 3),        rows.append(global.gyro_g_sensitivity, 9),
+          rows.append(global.accel_time_offset, 1), rows.append(global.accel_bias, 3),
+          rows.append(global.accel_scale, 3),       rows.append(global.accel_lower, 3),
+          rows.append(global.accel_upper, 3)},
         gravity_direction(rows.append(gravity.direction, 2)),
         gravity_magnitude(rows.append(gravity.magnitude, 1)) {}
 };
@@ -173,6 +174,7 @@ class ImuRows final : public Measurement {
       const auto d = part<Accelerometer>(l, block);
       rows.J.block(6 * i + 3, column, 3, d.cols()) = d;
     };
+    put(local.c.accel_time_offset, "time_offset");
     put(local.c.accel_bias, "bias");
     put(local.c.accel_scale, "scale");
     misalignment<Accelerometer>(l, 6 * i + 3, local.c.accel_lower, local.c.accel_upper, rows);

@@ -111,8 +111,8 @@ void add_imu(std::vector<Parameter>& all, const State& state, std::size_t i) {
   all.push_back(translation_parameter(name + ".T_b_i", poses));
   all.push_back(rotation_parameter(name + ".T_b_i", poses));
   all.push_back(vector_parameter(name + ".time_offset", "s", 1, [i](State& s) {
-    return std::vector<Numbers>{{&s.rig.imus[i].accelerometer.time_offset_s, 1},
-                                {&s.rig.imus[i].gyroscope.time_offset_s, 1}};
+    return std::vector<Numbers>{{&s.rig.imus[i].gyroscope.time_offset_s, 1},
+                                {&s.rig.imus[i].accelerometer.time_offset_s, 1}};
   }));
   const auto add = [&](const char* what, const char* unit, int size, auto numbers) {
     all.push_back(vector_parameter(name + what, unit, size, [i, size, numbers](State& s) {
@@ -126,6 +126,7 @@ void add_imu(std::vector<Parameter>& all, const State& state, std::size_t i) {
                                  [i](State& s) -> Vector6d& { return s.rig.imus[i].gyroscope.misalignment; }));
   }
   add(".gyroscope.g_sensitivity", "(rad/s)/(m/s^2)", 9, [](Imu& imu) { return imu.gyroscope.g_sensitivity.data(); });
+  add(".accelerometer.time_offset", "s", 1, [](Imu& imu) { return &imu.accelerometer.time_offset_s; });
   add(".accelerometer.bias", "m/s^2", 3, [](Imu& imu) { return imu.accelerometer.bias.data(); });
   add(".accelerometer.scale", "1", 3, [](Imu& imu) { return imu.accelerometer.scale.data(); });
   for (const auto& [part, index] : {std::pair{"lower", kLower}, std::pair{"upper", kUpper}}) {
@@ -213,7 +214,7 @@ ParameterColumns columns_of(const State& state, const std::vector<Parameter>& pa
     columns.imus.push_back({of(imu.name + ".T_b_i.translation"), of(imu.name + ".T_b_i.rotation"),
                             of(imu.name + ".time_offset"), of(g + "bias"), of(g + "scale"),
                             of(g + "misalignment.lower"), of(g + "misalignment.upper"), of(g + "g_sensitivity"),
-                            of(a + "bias"), of(a + "scale"), of(a + "misalignment.lower"),
+                            of(a + "time_offset"), of(a + "bias"), of(a + "scale"), of(a + "misalignment.lower"),
                             of(a + "misalignment.upper")});
   }
   for (const Camera& camera : state.rig.cameras) {

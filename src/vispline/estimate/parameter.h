@@ -51,7 +51,7 @@ inline constexpr std::array<int, 3> kLower{2, 4, 5}, kUpper{0, 1, 3};
 struct ImuColumns {
   int translation = -1, rotation = -1, time_offset = -1;
   int gyro_bias = -1, gyro_scale = -1, gyro_lower = -1, gyro_upper = -1, gyro_g_sensitivity = -1;
-  int accel_bias = -1, accel_scale = -1, accel_lower = -1, accel_upper = -1;
+  int accel_time_offset = -1, accel_bias = -1, accel_scale = -1, accel_lower = -1, accel_upper = -1;
 };
 struct ReferenceColumns {
   int world_translation = -1, world_rotation = -1, translation = -1, rotation = -1, time_offset = -1;
