@@ -54,12 +54,7 @@ TEST(CliConvert, AnInterruptLeavesNothing) {
       program.run("simulate --trajectory dance --start 1600000000 --duration 1800 --noise course --out imu.csv"));
   for (const int signal : {SIGINT, SIGTERM}) {
     RunOptions options{.signal = signal};
-    options.signal_when = [&] {
-      for (const std::string& name : program.files()) {
-        if (name.ends_with(".partial") && std::filesystem::file_size(program.path(name)) > 500'000) return true;
-      }
-      return false;
-    };
+    options.signal_when = [&] { return program.bytes_in_the_making() > 500'000; };
     const ProgramRun run = program.run("convert imu.csv imu.bag --compression bz2", options);
     EXPECT_EQ(run.exit, 128 + signal) << run.err;
     EXPECT_LT(run.stop_s, 2.0);

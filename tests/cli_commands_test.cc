@@ -184,8 +184,7 @@ TEST(CliCommands, Evaluate) {
 TEST(CliCommands, Demo) {
   const Program program;
   expect_done(program.run("demo --out DIR"));
-  EXPECT_EQ(program.files(),
-            (std::vector<std::string>{"DIR/imu.csv", "DIR/integration.json", "DIR/report.html",
+  EXPECT_EQ(program.files(), (std::vector<std::string>{"DIR/imu.csv", "DIR/integration.json", "DIR/report.html",
                                                        "DIR/result.json", "DIR/truth.tum"}));
   EXPECT_EQ(json::parse(program.bytes("DIR/result.json"))["class"], "converged");
   EXPECT_TRUE(program.bytes("DIR/report.html").starts_with("<!DOCTYPE html>"));

@@ -92,15 +92,7 @@ TEST(CliInterrupt, LeavesNothingInTheMiddleOfADay) {
   const Program program;
   for (const int signal : {SIGINT, SIGTERM}) {
     RunOptions options{.signal = signal};
-    options.signal_when = [&] {  // well after the first block
-      for (const std::string& name : program.files()) {
-        if (!name.ends_with(".partial")) continue;
-        std::error_code gone;  // the file that tries whether the place can be written is there for a moment only
-        const auto size = std::filesystem::file_size(program.path(name), gone);
-        return !gone && size > 10'000'000;
-      }
-      return false;
-    };
+    options.signal_when = [&] { return program.bytes_in_the_making() > 10'000'000; };  // well after the first block
     const ProgramRun run = program.run(
         "simulate --trajectory dance --duration 86400 --imu-rate 200 --noise course --out day.csv", options);
     expect_error(run, 128 + signal, "E-INTERRUPTED");

@@ -73,6 +73,16 @@ class Program {
     std::sort(names.begin(), names.end());
     return names;
   }
+  /// Bytes of the output that is being written; 0 between outputs, and when it goes while it is looked at.
+  std::uintmax_t bytes_in_the_making() const {
+    std::uintmax_t most = 0;
+    std::error_code gone;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path(""), gone)) {
+      const std::uintmax_t size = entry.path().extension() == ".partial" ? entry.file_size(gone) : 0;
+      if (!gone) most = std::max(most, size);
+    }
+    return most;
+  }
 
  private:
   [[noreturn]] void become_program(const std::vector<std::string>& arguments, const RunOptions& options) const;

@@ -141,6 +141,13 @@ class Judge {
   CalibrationResult& result_;
 };
 
+std::string remedy_of(const std::string& sensor) {
+  const std::string closer = "knots closer together, or a model with what it lacks: ";
+  if (sensor.ends_with(".accelerometer")) return closer + "--bias-walk 1, --free " + sensor + ".time_offset";
+  if (sensor.ends_with(".gyroscope")) return closer + "--bias-walk 1";
+  return closer + "its lens, its clock";
+}
+
 void warn(CalibrationResult& result) {
   for (const SensorResiduals& r : result.residuals) {
     if (!is_white(r)) {
@@ -150,7 +157,7 @@ void warn(CalibrationResult& result) {
                                          text(r.lag1_high),
                               .where = "",
                               .effect = "the sigmas are smaller than the errors",
-                              .next = "knots closer together, or a model with what it lacks: a bias walk, a lens"});
+                              .next = remedy_of(r.sensor)});
     }
   }
   for (const SensorResiduals& r : result.residuals) {

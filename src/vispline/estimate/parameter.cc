@@ -103,6 +103,21 @@ Parameter gravity_magnitude() {
           }};
 }
 
+/// Over the clock of the gyroscope, which moves both.
+Parameter accelerometer_clock(std::string name, std::size_t i) {
+  const auto late = [i](const State& s) {
+    const Imu& imu = s.rig.imus[i];
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(1, imu.accelerometer.time_offset_s - imu.gyroscope.time_offset_s));
+  };
+  return {std::move(name),
+          "s",
+          1,
+          {Role::kFixed},
+          late,
+          [i](State& s, const Eigen::VectorXd& d) { s.rig.imus[i].accelerometer.time_offset_s += d(0); },
+          [late](const State& from, const State& to) { return Eigen::VectorXd(late(to) - late(from)); }};
+}
+
 void add_imu(std::vector<Parameter>& all, const State& state, std::size_t i) {
   const std::string name = state.rig.imus[i].name;
   const PosesOf poses = [i](State& s) {
@@ -126,7 +141,7 @@ void add_imu(std::vector<Parameter>& all, const State& state, std::size_t i) {
                                  [i](State& s) -> Vector6d& { return s.rig.imus[i].gyroscope.misalignment; }));
   }
   add(".gyroscope.g_sensitivity", "(rad/s)/(m/s^2)", 9, [](Imu& imu) { return imu.gyroscope.g_sensitivity.data(); });
-  add(".accelerometer.time_offset", "s", 1, [](Imu& imu) { return &imu.accelerometer.time_offset_s; });
+  all.push_back(accelerometer_clock(name + ".accelerometer.time_offset", i));
   add(".accelerometer.bias", "m/s^2", 3, [](Imu& imu) { return imu.accelerometer.bias.data(); });
   add(".accelerometer.scale", "1", 3, [](Imu& imu) { return imu.accelerometer.scale.data(); });
   for (const auto& [part, index] : {std::pair{"lower", kLower}, std::pair{"upper", kUpper}}) {
