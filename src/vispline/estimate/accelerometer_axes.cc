@@ -6,22 +6,32 @@
 namespace vispline {
 namespace {
 
-constexpr double kMuchBetter = 0.25;  // of the variance
+constexpr double kMuchBetter = 0.25;  // of the squared distance
 
+/// Medians: accelerations of poses are wild beside gaps.
 struct Spread {
-  Vector3d mean = Vector3d::Zero();
-  double variance = 0.0;
+  Vector3d middle = Vector3d::Zero();
+  double squared_distance = 0.0;
 };
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 Spread spread_of(const std::vector<FeltForce>& felt, const Matrix3d& axes) {
+  std::vector<Vector3d> g_w;
+  for (const FeltForce& f : felt) g_w.push_back(f.a_w - f.R_w_b * (axes * f.f_b));
   Spread spread;
-  Vector3d square = Vector3d::Zero();
-  for (const FeltForce& f : felt) {
-    const Vector3d g_w = f.a_w - f.R_w_b * (axes * f.f_b);
-    spread.mean += g_w / static_cast<double>(felt.size());
-    square += g_w.cwiseAbs2() / static_cast<double>(felt.size());
+  std::vector<double> values(felt.size());
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    std::transform(g_w.begin(), g_w.end(), values.begin(), [&](const Vector3d& g) { return g(k); });
+    spread.middle(k) = median(values);
   }
-  spread.variance = (square - spread.mean.cwiseAbs2()).sum();
+  std::transform(g_w.begin(), g_w.end(), values.begin(),
+                 [&](const Vector3d& g) { return (g - spread.middle).squaredNorm(); });
+  spread.squared_distance = median(values);
   return spread;
 }
 
@@ -41,16 +51,16 @@ AxesChoice accelerometer_axes(const std::vector<FeltForce>& felt) {
   AxesChoice choice;
   if (felt.empty()) return choice;
   const Spread as_read = spread_of(felt, choice.axes);
-  choice.g_w = as_read.mean;
-  double least = kMuchBetter * as_read.variance;
+  choice.g_w = as_read.middle;
+  double least = kMuchBetter * as_read.squared_distance;
   std::array<Eigen::Index, 3> order{0, 1, 2};
   do {
     for (int signs = 0; signs < 8; ++signs) {
       Matrix3d axes = Matrix3d::Zero();
       for (Eigen::Index i = 0; i < 3; ++i) axes(order[static_cast<std::size_t>(i)], i) = signs >> i & 1 ? -1.0 : 1.0;
-      const double variance = spread_of(felt, axes).variance;
-      if (variance >= least) continue;
-      least = variance;
+      const double squared_distance = spread_of(felt, axes).squared_distance;
+      if (squared_distance >= least) continue;
+      least = squared_distance;
       choice.axes = axes;
       choice.words = words_of(axes);
     }

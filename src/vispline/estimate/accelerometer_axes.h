@@ -16,11 +16,11 @@ struct FeltForce {
 };
 
 /// a_w - R_w_b f_b is gravity, so it stands still. Of all 48 orders and signs of the axes: the one with which it stands
-/// stillest, as the rows of a matrix; the identity unless another leaves less than half of its spread.
+/// stillest, as the rows of a matrix; the identity unless another leaves less than half of its spread (a median).
 struct AxesChoice {
   Matrix3d axes = Matrix3d::Identity();
   std::string words = "x, y, z";    ///< "-z, y, x": the axis that each reading seems to be
-  Vector3d g_w = Vector3d::Zero();  ///< mean with the axes as they are, m/s^2
+  Vector3d g_w = Vector3d::Zero();  ///< median with the axes as they are, m/s^2
 };
 AxesChoice accelerometer_axes(const std::vector<FeltForce>& felt);
 

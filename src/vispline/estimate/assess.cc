@@ -142,10 +142,13 @@ class Judge {
 };
 
 std::string remedy_of(const std::string& sensor) {
-  const std::string closer = "knots closer together, or a model with what it lacks: ";
-  if (sensor.ends_with(".accelerometer")) return closer + "--bias-walk 1, --free " + sensor + ".time_offset";
-  if (sensor.ends_with(".gyroscope")) return closer + "--bias-walk 1";
-  return closer + "its lens, its clock";
+  const std::string closer = "knots closer together, or ";
+  if (sensor.ends_with(".accelerometer")) {
+    return closer + "a model with what it lacks: --bias-walk 1, --free " + sensor + ".time_offset";
+  }
+  if (sensor.ends_with(".gyroscope")) return closer + "a bias that walks: --bias-walk 1";
+  if (sensor.starts_with("reference")) return closer + "poses that were not smoothed";
+  return closer + "another model of the lens: --free " + sensor + ".intrinsics";
 }
 
 void warn(CalibrationResult& result) {
