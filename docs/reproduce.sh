@@ -231,7 +231,7 @@ table_coverage() {
   done
   awk -F'  +' '
     /^class: / { class = substr($0, 8); ++runs[class] }
-    class ~ /^converged/ && /^(cam0|imu0)\./ && NF >= 7 { ++n[$1]; s[$1] += $6 * $6; within[$1] += $6 * $6 < 3.8416; if ($6 * $6 > 9) ++far }
+    class ~ /^converged/ && /^(cam0\.|imu0\..*bias)/ && NF >= 7 { ++n[$1]; s[$1] += $6 * $6; within[$1] += $6 * $6 < 3.8416; if ($6 * $6 > 9) ++far }
     END {
       for (c in runs) printf "%s: %d\n", c, runs[c]
       for (k in n) { printf "%-26s in 95 %%: %5.1f %%   rms %.2f sigma\n", k, 100 * within[k] / n[k], sqrt(s[k] / n[k]); a += within[k]; b += n[k]; q += s[k] }

@@ -34,8 +34,9 @@ void require_samples(const ImuSignal& imu, const char* which) {
 }
 
 [[noreturn]] void fail_overlap(const ImuSignal& first, const ImuSignal& second) {
-  throw_no_overlap("the first", first.span(), "the second", second.span(),
-                   "if the clocks differ, allow a larger offset between them (--max-offset SECONDS)");
+  throw_no_overlap(
+      "the first", first.span(), "the second", second.span(),
+      "if the clocks differ, shift one of them, or allow a larger offset: vispline evaluate --max-offset SECONDS");
 }
 
 bool spans_overlap(const ImuSignal& first, const ImuSignal& second) {
@@ -83,7 +84,7 @@ void warn_about_offset(ImuComparison& comparison, const CoarseOffset& coarse, co
              ", and " + number_text(coarse.second_correlation, 4) + " at " +
              number_text(coarse.second_lag_s - coarse.lag_s, 4) + " s from it",
          "the offset with the better fit and the longer overlap was used",
-         "limit the offset (--max-offset SECONDS), or record a motion that does not repeat");
+         "limit the offset (vispline evaluate --max-offset SECONDS), or record a motion that does not repeat");
   }
   if (!fit.converged) {
     warn(comparison, "W-CONVERGENCE", "the refinement of the time offset did not converge",
