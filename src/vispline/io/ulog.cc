@@ -53,6 +53,7 @@ void take_combined(const Subscription& topic, Bytes message, std::int64_t us, st
   rows.on_gyro(array_row(topic, message, us, "gyro_rad", 1.0, where));
   const std::int64_t later = integer(topic, message, "accelerometer_timestamp_relative").value_or(0);
   if (later == kNoRelativeTime || us < 0 || us > kMaxMicroseconds) return;
+  if (later < -kMaxMicroseconds || later > kMaxMicroseconds) return;
   rows.newer_accel(array_row(topic, message, us + later, "accelerometer_m_s2", 1.0, where));
 }
 

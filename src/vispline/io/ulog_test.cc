@@ -69,6 +69,21 @@ TEST(Ulog, GyroscopeAndAccelerometerApart) {
   EXPECT_EQ(alone.codes, "E-COLUMNS");
 }
 
+TEST(Ulog, AnAccelerometerAtNoTimeAtAll) {
+  UlogBytes log;
+  log.format(
+      "sensor_combined:uint64_t timestamp;float[3] gyro_rad;int64_t accelerometer_timestamp_relative;"
+      "float[3] accelerometer_m_s2;");
+  log.subscribe(7, "sensor_combined");
+  for (std::uint64_t i = 0; i < 16; ++i) {
+    const std::uint64_t later = i == 5 ? 0x7ffffffffffffffeull : i == 6 ? 0x8000000000000000ull : 0;
+    const double k = static_cast<double>(i);
+    log.data(7, u64(1'000'000 + 4000 * i) + floats({0.1 * k, 2, 3}) + u64(later) + floats({0, 0.1 * k, -9.8}));
+  }
+  const ScratchFolder folder;
+  EXPECT_EQ(read_imu(folder.write("log.ulg", log.bytes)).counts.kept, 16);
+}
+
 TEST(Ulog, WhatIsRefused) {
   const ScratchFolder folder;
   UlogBytes log;
