@@ -1,12 +1,11 @@
 // How the cost of an estimation grows with time: the motion of the reference problem for 10 to 300 s, an IMU and a
 // rolling-shutter camera before a known target, a start that is off. Prints CPU seconds and the exponent of the growth.
 //   growth_bench [--json]
-#include <ctime>
-
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 
+#include "cpu_clock.h"
 #include "vispline/estimate/solve.h"
 #include "vispline/estimate/target_measurement.h"
 #include "vispline/results/json.h"
@@ -14,12 +13,6 @@
 
 namespace vispline::bench {
 namespace {
-
-double cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The tracks of the reference problem as images of points that are known.
 void know_points(const VsRef& data, Problem& problem) {

@@ -1,12 +1,11 @@
 // Whole solves of one reference problem: CPU seconds, cost, and how far the result is from the truth. Last a baseline
 // that does as estimators with automatic differentiation do, and how many times as long it takes.
 //   vs_ref_bench [--json]
-#include <ctime>
-
 #include <cstdio>
 #include <cstring>
 #include <string>
 
+#include "cpu_clock.h"
 #include "vispline/estimate/solve.h"
 #include "vispline/results/json.h"
 #include "vispline/results/trajectory_metrics.h"
@@ -19,12 +18,6 @@ namespace {
 constexpr int kTurns = 3;
 
 /// CPU time of this thread: other processes do not count.
-double cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 struct Row {
   VsRefSetup setup;
   std::string engine;

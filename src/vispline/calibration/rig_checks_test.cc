@@ -2,21 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
+#include "vispline/calibration/failure_testing.h"
 #include "vispline/calibration/rig_files.h"
 
 namespace vispline {
 namespace {
-
-std::string failure_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.diagnostic().code + " " + error.diagnostic().where + " " + error.diagnostic().message;
-  }
-  return "";
-}
 
 /// A chain of Kalibr with one thing changed.
 class KalibrChain : public ::testing::Test {

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <map>
 
+#include "vispline/calibration/failure_testing.h"
+
 namespace vispline {
 namespace {
 
@@ -191,15 +193,6 @@ TEST(RigFiles, WhatIsLostIsSaid) {
       EXPECT_NE(notes.find(part), std::string::npos) << dialect << "\n" << notes;
     }
   }
-}
-
-std::string failure_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.diagnostic().code + " " + error.diagnostic().where + " " + error.diagnostic().message;
-  }
-  return "";
 }
 
 TEST(RigFiles, WritersRefuseWhatATemplateCannotHold) {

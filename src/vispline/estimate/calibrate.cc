@@ -223,13 +223,13 @@ class Calibrator {
     Problem first = problem(state_, false, stride);
     State state = solve(first, quick).state;
     SolveOptions last = options_.solve;
+    if (!options_.trust_noise) last.first_lambda = kNearLambda;
     for (int round = 0; round < kNoiseRounds && !options_.trust_noise; ++round) {
-      last.first_lambda = kNearLambda;
-      if (round > 0) quick.first_lambda = kNearLambda;
       Problem every = problem(state, true, stride);
       const Solution solution = solve(every, quick);
       state = solution.state;
       rescale(sensor_fits(every, solution.state, solution.columns, options_.solve.threads));
+      quick.first_lambda = kNearLambda;
     }
     result_.problem = problem(state, true, 1);
     result_.solution = solve(result_.problem, last);

@@ -264,10 +264,9 @@ SolveStatus status_of(const ceres::Solver::Summary& summary, const Progress& pro
 
 void minimize_with_ceres(Problem& problem, const SolveOptions& options, Solution& solution) {
   Progress progress(options, solution);
-  whiten(problem, solution.state, options.threads);
-  solution.first_cost = cost_at(problem, solution.state, solution.columns, options.threads).cost;
-  for (bool again = true; again;) {
+  for (bool again = true, first = true; again; first = false) {
     whiten(problem, solution.state, options.threads);
+    if (first) solution.first_cost = cost_at(problem, solution.state, solution.columns, options.threads).cost;
     const std::size_t before = solution.iterations.size();
     Binding binding(problem, solution, options.threads);
     ceres::Solver::Options ceres = ceres_options(problem, options, binding, solution.columns.layout.columns,
