@@ -28,7 +28,7 @@ struct Row {
 void compare(const State& state, const VsRef& data, Row& row) {
   Signal<Pose> estimate, truth;
   for (const Time time : data.imu.time) {
-    estimate.push_back(time, state.curve->pose({time}, false).T_w_b);
+    estimate.push_back(time, state.curve->pose({time}));
     truth.push_back(time, true_pose(seconds(time)));
   }
   TrajectoryCompareOptions options;

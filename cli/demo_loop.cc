@@ -115,7 +115,7 @@ DemoLoop run_loop(std::uint64_t seed, std::size_t threads) {
                             choose_knot_spacing(samples).why};
   const TimeSpan span = solution.state.curve->span();
   for (Time t = span.begin; t <= span.end; t += from_seconds(1.0 / kCourseRate_hz)) {
-    loop.course.T_w_b.push_back(t, solution.state.curve->pose({t}, false).T_w_b);
+    loop.course.T_w_b.push_back(t, solution.state.curve->pose({t}));
   }
   loop.calibration.trajectory =
       compare_trajectories(loop.course.T_w_b, recorded.T_w_b, TrajectoryCompareOptions{AlignmentMode::kYaw, {}});

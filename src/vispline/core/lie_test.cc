@@ -97,6 +97,7 @@ TYPED_TEST(LieGroup, AdjointOfTheInverse) {
     const Element<G> X = exp_of<G>(x);
     const Tangent<G> expected = G::template Ad<double>(G::template inverse<double>(X)) * y;
     EXPECT_LT(distance(G::template Ad_inverse<double>(X, y), expected), kTolerance);
+    EXPECT_LT(distance(Tangent<G>(G::template Ad_inverse<double>(X) * y), expected), kTolerance);
   }
 }
 

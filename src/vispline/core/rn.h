@@ -45,6 +45,10 @@ struct Rn {
     return T(1);
   }
   template <class T>
+  static Operator<T> Ad_inverse(const Element<T>&) {
+    return T(1);
+  }
+  template <class T>
   static Tangent<T> Ad_inverse(const Element<T>&, const Tangent<T>& x) {
     return x;
   }

@@ -11,8 +11,7 @@ namespace vispline {
 /// The 6x6 matrix [A B; 0 A]. A product costs three 3x3 products instead of eight.
 template <class T>
 struct DualMatrix {
-  Matrix3<T> A = Matrix3<T>::Zero();
-  Matrix3<T> B = Matrix3<T>::Zero();
+  Matrix3<T> A, B;
 
   /// Written out: compilers do better with it than with four Eigen expressions.
   DualMatrix operator*(const DualMatrix& o) const {
@@ -47,10 +46,11 @@ struct DualMatrix {
   friend Eigen::Matrix<T, Rows::RowsAtCompileTime, 6> operator*(const Eigen::MatrixBase<Rows>& rows,
                                                                 const DualMatrix& M) {
     Eigen::Matrix<T, Rows::RowsAtCompileTime, 6> product;
-    const auto translation = rows.template leftCols<3>();
-    product.template leftCols<3>().noalias() = translation * M.A;
-    product.template rightCols<3>().noalias() = translation * M.B;
-    product.template rightCols<3>().noalias() += rows.template rightCols<3>() * M.A;
+    for (int c = 0; c < 3; ++c) {
+      product.col(c) = rows.col(0) * M.A(0, c) + rows.col(1) * M.A(1, c) + rows.col(2) * M.A(2, c);
+      product.col(3 + c) = rows.col(0) * M.B(0, c) + rows.col(1) * M.B(1, c) + rows.col(2) * M.B(2, c) +
+                           rows.col(3) * M.A(0, c) + rows.col(4) * M.A(1, c) + rows.col(5) * M.A(2, c);
+    }
     return product;
   }
 };
@@ -96,6 +96,12 @@ struct SE3 {
   template <class T>
   static Operator<T> Ad(const Element<T>& X) {
     return {X.R, hat(X.p) * X.R};
+  }
+  /// Ad(X^-1).
+  template <class T>
+  static Operator<T> Ad_inverse(const Element<T>& X) {
+    const Matrix3<T> R_t = X.R.transpose();
+    return {R_t, -times_hat(R_t, X.p)};
   }
   /// Ad(X^-1) x, without the operator.
   template <class T>
@@ -155,10 +161,14 @@ struct SE3 {
   static Operator<T> transfer(const Tangent<T>& xi, const T& f, const T& g, const T& df, const T& dg) {
     const Vector3<T> v = xi.template head<3>(), w = xi.template tail<3>();
     const T wv = w.dot(v);
-    const Matrix3<T> W = hat(w), W2 = hat_squared(w);
-    Matrix3<T> WV_VW = v * w.transpose() + w * v.transpose();
-    WV_VW.diagonal().array() -= T(2) * wv;
-    return {Matrix3<T>::Identity() + f * W + g * W2, f * hat(v) + g * WV_VW + (T(2) * wv) * (df * W + dg * W2)};
+    const Vector3<T> s = f * v + (T(2) * wv * df) * w;  // of the skew part of the dual part
+    const T h = T(2) * wv * dg;
+    Matrix3<T> B;
+    for (int c = 0; c < 3; ++c) {
+      for (int r = 0; r <= c; ++r) B(r, c) = B(c, r) = g * (v(r) * w(c) + w(r) * v(c)) + h * (w(r) * w(c));
+      B(c, c) -= T(2) * wv * g + h * w.squaredNorm();
+    }
+    return {SO3::one_plus(f, g, w), B + hat(s)};
   }
 };
 

@@ -62,11 +62,16 @@ constexpr std::array<double, kSeriesTerms> factorial_series(int offset, int deri
   return coefficients;
 }
 
+/// Even and odd terms apart: two chains of half the length.
 template <class T>
-T horner(const std::array<double, kSeriesTerms>& coefficients, const T& x) {
-  T sum = T(coefficients.back());
-  for (std::size_t i = kSeriesTerms - 1; i-- > 0;) sum = sum * x + T(coefficients[i]);
-  return sum;
+[[gnu::always_inline]] inline T horner(const std::array<double, kSeriesTerms>& coefficients, const T& x, const T& xx) {
+  static_assert(kSeriesTerms % 2 == 0);
+  T even = T(coefficients[kSeriesTerms - 2]), odd = T(coefficients[kSeriesTerms - 1]);
+  for (std::size_t i = kSeriesTerms - 2; i > 0; i -= 2) {
+    even = even * xx + T(coefficients[i - 2]);
+    odd = odd * xx + T(coefficients[i - 1]);
+  }
+  return even + x * odd;
 }
 
 }  // namespace detail
@@ -79,14 +84,16 @@ struct RotationSeries {
   T b, c;         ///< exp = I + (1 - x c) W + b W^2,  J_l = I + b W + c W^2
   T db, dc, ddb;  ///< db/dx, dc/dx, d^2 b/dx^2
 
-  explicit RotationSeries(const T& x) {
+  /// Inlined, so that a caller pays only for the numbers it takes.
+  [[gnu::always_inline]] explicit RotationSeries(const T& x) {
     using std::cos, std::sin, std::sqrt;
     if (x < T(1)) {
-      b = detail::horner(kB, x);
-      c = detail::horner(kC, x);
-      db = detail::horner(kDb, x);
-      dc = detail::horner(kDc, x);
-      ddb = detail::horner(kDdb, x);
+      const T xx = x * x;
+      b = detail::horner(kB, x, xx);
+      c = detail::horner(kC, x, xx);
+      db = detail::horner(kDb, x, xx);
+      dc = detail::horner(kDc, x, xx);
+      ddb = detail::horner(kDdb, x, xx);
     } else {
       const T theta = sqrt(x);
       const T a = sin(theta) / theta;
@@ -109,8 +116,10 @@ struct RotationSeries {
 /// w w^T - (w.w) I = W^2, without the matrix product.
 template <class T>
 Matrix3<T> hat_squared(const Vector3<T>& w) {
-  Matrix3<T> W2 = w * w.transpose();
-  W2.diagonal().array() -= w.squaredNorm();
+  const T xx = w.x() * w.x(), yy = w.y() * w.y(), zz = w.z() * w.z();
+  const T xy = w.x() * w.y(), xz = w.x() * w.z(), yz = w.y() * w.z();
+  Matrix3<T> W2;
+  W2 << -(yy + zz), xy, xz, xy, -(xx + zz), yz, xz, yz, -(xx + yy);
   return W2;
 }
 
@@ -147,9 +156,7 @@ struct SO3 {
   }
   template <class T>
   static Element<T> exp(const Tangent<T>& w, const RotationSeries<T>& s) {
-    Matrix3<T> R = s.b * hat_squared(w) + (T(1) - w.squaredNorm() * s.c) * hat(w);
-    R.diagonal().array() += T(1);
-    return R;
+    return one_plus(T(1) - w.squaredNorm() * s.c, s.b, w);
   }
   /// Rotation vector with |w| <= pi. Through the quaternion, which is well conditioned up to pi.
   template <class T>
@@ -167,6 +174,10 @@ struct SO3 {
   template <class T>
   static Operator<T> Ad(const Element<T>& R) {
     return R;
+  }
+  template <class T>
+  static Operator<T> Ad_inverse(const Element<T>& R) {
+    return R.transpose();
   }
   /// Ad(R^-1) x, without the operator.
   template <class T>
@@ -197,13 +208,23 @@ struct SO3 {
   }
   template <class T>
   static Operator<T> left_jacobian(const Tangent<T>& w, const RotationSeries<T>& s) {
-    return Matrix3<T>::Identity() + s.b * hat(w) + s.c * hat_squared(w);
+    return one_plus(s.b, s.c, w);
   }
   /// Singular at 2 pi, regular at pi: I - W/2 + g W^2 with g = -b'/b.
   template <class T>
   static Operator<T> left_jacobian_inverse(const Tangent<T>& w) {
     const RotationSeries<T> s(w.squaredNorm());
-    return Matrix3<T>::Identity() - T(0.5) * hat(w) + (-s.db / s.b) * hat_squared(w);
+    return one_plus(T(-0.5), T(-s.db / s.b), w);
+  }
+  /// I + f W + g W^2, written out.
+  template <class T>
+  static Matrix3<T> one_plus(const T& f, const T& g, const Vector3<T>& w) {
+    const T gx = g * w.x(), gy = g * w.y(), gz = g * w.z();
+    const T xx = gx * w.x(), yy = gy * w.y(), zz = gz * w.z(), xy = gx * w.y(), xz = gx * w.z(), yz = gy * w.z();
+    const T x = f * w.x(), y = f * w.y(), z = f * w.z();
+    Matrix3<T> M;
+    M << T(1) - (yy + zz), xy - z, xz + y, xy + z, T(1) - (xx + zz), yz - x, xz - y, yz + x, T(1) - (xx + yy);
+    return M;
   }
 };
 

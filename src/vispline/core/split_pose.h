@@ -10,8 +10,8 @@ namespace vispline {
 /// The 6x6 matrix [s I, 0; 0, R].
 template <class T>
 struct SplitMatrix {
-  T s = T(0);
-  Matrix3<T> R = Matrix3<T>::Zero();
+  T s;
+  Matrix3<T> R;
 
   SplitMatrix operator*(const SplitMatrix& o) const { return {s * o.s, R * o.R}; }
   SplitMatrix operator+(const SplitMatrix& o) const { return {s + o.s, R + o.R}; }
@@ -79,6 +79,10 @@ struct SplitPose {
   template <class T>
   static Operator<T> Ad(const Element<T>& X) {
     return {T(1), X.R};
+  }
+  template <class T>
+  static Operator<T> Ad_inverse(const Element<T>& X) {
+    return {T(1), X.R.transpose()};
   }
   /// Ad(X^-1) x, without the operator.
   template <class T>

@@ -31,8 +31,8 @@ bool is_white(const SensorResiduals& r) {
 
 class Judge {
  public:
-  Judge(const Solution& solution, bool full_rank, const AssessOptions& options, CalibrationResult& result)
-      : solution_(solution), full_rank_(full_rank), options_(options), result_(result) {}
+  Judge(const Solution& solution, const AssessOptions& options, CalibrationResult& result)
+      : solution_(solution), options_(options), result_(result) {}
 
   /// The first class whose rule applies.
   ResultClass judge() {
@@ -42,7 +42,7 @@ class Judge {
     if (!std::isfinite(solution_.cost)) {
       return because(ResultClass::kFailed, "the cost is not a finite number");
     }
-    if (!full_rank_) return rank_deficient();
+    if (!solution_.full_rank) return rank_deficient();
     if (solution_.status == SolveStatus::kFailed) {
       return because(ResultClass::kFailed, "no step lowers the cost, and none is small enough to end");
     }
@@ -136,7 +136,6 @@ class Judge {
   }
 
   const Solution& solution_;
-  bool full_rank_;
   const AssessOptions& options_;
   CalibrationResult& result_;
 };
@@ -191,13 +190,11 @@ CalibrationResult assess(const Problem& problem, const Solution& solution, const
   result.cost = solution.cost;
   result.iterations = static_cast<int>(solution.iterations.size());
   report_parameters(options.start ? *options.start : problem.start, solution, options.truth, result);
-  bool full_rank = solution.full_rank;
   if (std::isfinite(solution.cost)) {
-    const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
-    const int n = solution.columns.layout.columns - solution.columns.layout.first_parameter;
-    full_rank |= solution.status == SolveStatus::kFailed && equations.covariance(n).has_value();
+    require(solution.equations != nullptr, "a solution with covariance");
+    const NormalEquations& equations = *solution.equations;
     result.residuals = residual_statistics(problem, solution, equations, options.threads);
-    result.weak = full_rank ? weak_directions(solution) : null_directions(solution, equations);
+    result.weak = solution.full_rank ? weak_directions(solution) : null_directions(solution, equations);
     if (options.check_gradient) {
       const GradientCheck check = check_gradient(problem, solution, equations, options.threads);
       result.gradient_sigmas = check.farthest_sigmas;
@@ -206,7 +203,7 @@ CalibrationResult assess(const Problem& problem, const Solution& solution, const
     }
     warn(result);
   }
-  result.result_class = Judge(solution, full_rank, options, result).judge();
+  result.result_class = Judge(solution, options, result).judge();
   return result;
 }
 

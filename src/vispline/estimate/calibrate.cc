@@ -155,7 +155,7 @@ class Calibrator {
     state_.g_w = options_.gravity * alignment_->g_w.normalized();
     state_.curve = make_curve(options_.curve, {used_.begin - margin, used_.end + margin}, [&](Time t) {
       const Time at = std::clamp(t - offset, motion.span().begin, motion.span().end);
-      return motion.pose({at}, false).T_w_b * camera.T_c_b;
+      return motion.pose({at}) * camera.T_c_b;
     });
     if (options_.bias_walk) walk_biases(state_, used_, *options_.bias_walk);
   }

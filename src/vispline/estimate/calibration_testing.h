@@ -110,7 +110,7 @@ struct SmallCalibration {
   std::optional<Vector2d> see(const Camera& camera, Time stamp, const Vector3d& point) const {
     Vector2d px(320.0, 240.0);
     for (int i = 0; i < 50; ++i) {
-      const Pose T_w_b = truth.curve->pose({stamp, camera.delay_s(px)}, false).T_w_b;
+      const Pose T_w_b = truth.curve->pose({stamp, camera.delay_s(px)});
       const auto seen = camera.lens.project(camera.T_c_b * (T_w_b.inverse() * point));
       if (!seen) return std::nullopt;
       px = *seen;

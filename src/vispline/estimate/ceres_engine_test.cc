@@ -33,7 +33,7 @@ struct Example {
       problem.measurements.push_back(prior_measurement(truth, parameter));
     }
     const Time middle = time_from_ns(500'000'000);
-    problem.measurements.push_back(gauge_measurement({middle, truth.curve->pose({middle}, false).T_w_b}));
+    problem.measurements.push_back(gauge_measurement({middle, truth.curve->pose({middle})}));
     problem.measurements.push_back(smoothness_measurement({}, 0, truth.curve->knots() - 1));
     read_imus(truth, huber, generic);
     see_points(truth, generic);
@@ -66,7 +66,7 @@ struct Example {
       const Vector2d px(200.0 + 13.0 * p, 400.0 - 17.0 * p + generic.number(5.0));
       Track track{static_cast<std::size_t>(p), {{0, time_from_ns(150'000'000 + 1'000'000L * p), px}}};
       const InverseDepthLandmark landmark{*camera.lens.unproject(px), 0.3 + 0.01 * p};
-      const Pose T_w_b = truth.curve->pose({track.sightings[0].stamp, camera.delay_s(px)}, false).T_w_b;
+      const Pose T_w_b = truth.curve->pose({track.sightings[0].stamp, camera.delay_s(px)});
       const HomogeneousPoint point = landmark.in_world(T_w_b * camera.T_c_b.inverse());
       for (int i = 1; i < 9; ++i) {
         see(truth, static_cast<std::size_t>(i % 2), time_from_ns(150'000'000 + 97'500'000L * i), point, generic, track);
@@ -81,7 +81,7 @@ struct Example {
     const Camera& camera = truth.rig.cameras[c];
     Vector2d px(300.0, 240.0);
     for (int i = 0; i < 30; ++i) {
-      const Pose T_w_b = truth.curve->pose({stamp, camera.delay_s(px)}, false).T_w_b;
+      const Pose T_w_b = truth.curve->pose({stamp, camera.delay_s(px)});
       const auto image = camera.lens.project(point.seen_from(T_w_b * camera.T_c_b.inverse()));
       if (!image) return;
       px = *image;

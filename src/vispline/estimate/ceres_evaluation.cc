@@ -1,77 +1,96 @@
 #include "vispline/estimate/ceres_evaluation.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 #include "vispline/core/parallel.h"
 
 namespace vispline::through_ceres {
 namespace {
 
-/// What the rows r leave of a cost, as one row: zero where it is rounding.
-double remainder(double cost, double squares) {
-  const double rest = 2.0 * cost - squares;
-  return rest > 1e-12 * cost ? std::sqrt(rest) : 0.0;
-}
+/// Ceres spends its time on pairs of blocks, and each view has zeros where a block reaches beyond its knots.
+constexpr std::size_t kKnotsPerBlock = 2;
 
-void take(const Rows& rows, bool derivatives, Residuals& out) {
-  const Eigen::Index n = rows.r.size();
-  const Eigen::VectorXd root = rows.weight.cwiseSqrt();
-  out.column = rows.column;
-  out.r.resize(n + 1);
-  out.r.head(n) = root.cwiseProduct(rows.r);
-  out.r(n) = remainder(rows.cost, out.r.head(n).squaredNorm());
-  if (!derivatives) return;
-  out.J.setZero(n + 1, static_cast<Eigen::Index>(rows.column.size()));
-  out.J.topRows(n) = root.asDiagonal() * rows.jacobian();
-}
-
-void take(const SightingRows& rows, const TrackModel& model, Residuals& out) {
-  const double root = std::sqrt(rows.weight);
-  const double s = rows.lost ? kLostSigmas * kLostSigmas : rows.r.squaredNorm();
-  out.column = rows.column;
-  out.r.resize(3);
-  out.r.head<2>() = root * rows.r;
-  out.r(2) = remainder(0.5 * model.loss.loss(s), out.r.head<2>().squaredNorm());
-  out.J.setZero(3, rows.J.cols());
-  out.J.topRows<2>() = root * rows.J;
-  out.J_landmark.setZero(3, model.size());
-  out.J_landmark.topRows<2>() = root * rows.J_landmark.leftCols(model.size());
+std::vector<int> consecutive(int first, int size) {
+  std::vector<int> columns;
+  for (int i = 0; i < size; ++i) columns.push_back(first + i);
+  return columns;
 }
 
 }  // namespace
 
-Evaluation::Evaluation(const Problem& problem, const State& base, const Columns& columns,
+Unknowns::Unknowns(const Columns& columns, const std::vector<Parameter>& parameters, std::size_t tracks)
+    : x_(static_cast<std::size_t>(columns.layout.columns), 0.0),
+      place_(x_.size()),
+      landmarks_(tracks, Vector3d::Zero()) {
+  const std::vector<int>& knot = columns.layout.knot;
+  for (std::size_t first = 0; first < knot.size(); first += kKnotsPerBlock) {
+    std::vector<int> together;
+    for (std::size_t k = first; k < std::min(knot.size(), first + kKnotsPerBlock); ++k) {
+      const std::vector<int> own = consecutive(knot[k], 6);
+      together.insert(together.end(), own.begin(), own.end());
+    }
+    add(together);
+  }
+  for (const auto& nodes : columns.layout.bias) {
+    for (const int column : nodes) add(consecutive(column, 6));
+  }
+  for (const Parameter& parameter : parameters) {
+    if (parameter.column >= 0) add(consecutive(parameter.column, parameter.size));
+  }
+}
+
+void Unknowns::add(const std::vector<int>& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    place_[static_cast<std::size_t>(columns[i])] = {blocks_.size(), static_cast<int>(i)};
+  }
+  blocks_.push_back({x_.data() + column_.size(), static_cast<int>(columns.size())});
+  column_.insert(column_.end(), columns.begin(), columns.end());
+}
+
+Eigen::VectorXd Unknowns::by_column() const {
+  Eigen::VectorXd delta(static_cast<Eigen::Index>(x_.size()));
+  for (std::size_t i = 0; i < x_.size(); ++i) delta(column_[i]) = x_[i];
+  return delta;
+}
+
+Evaluation::Evaluation(Problem& problem, const State& start, const Columns& columns,
                        const std::vector<Parameter>& parameters, std::size_t threads)
     : problem_(problem),
-      base_(base),
       columns_(columns),
       parameters_(parameters),
       threads_(threads),
-      x_(Eigen::VectorXd::Zero(columns.layout.columns)),
-      x_landmark_(problem.tracks.size(), Vector3d::Zero()),
+      unknowns_(columns, parameters, problem.tracks.size()),
+      linearized_(start),
+      x_linearized_(unknowns_.by_column()),
+      landmarks_linearized_(unknowns_.landmarks()),
       measured_(problem.measurements.size()),
       seen_(problem.tracks.size()) {
   evaluate(true);
 }
 
-State Evaluation::state() const { return moved(base_, columns_, parameters_, x_, problem_, x_landmark_); }
+State Evaluation::state() const {
+  std::vector<Vector3d> landmarks = unknowns_.landmarks();
+  for (std::size_t t = 0; t < landmarks.size(); ++t) landmarks[t] -= landmarks_linearized_[t];
+  return moved(linearized_, columns_, parameters_, unknowns_.by_column() - x_linearized_, problem_, landmarks);
+}
 
 void Evaluation::PrepareForEvaluation(bool evaluate_jacobians, bool new_evaluation_point) {
-  if (new_evaluation_point || evaluate_jacobians) evaluate(evaluate_jacobians);
+  if (!std::exchange(untouched_, false) && (new_evaluation_point || evaluate_jacobians)) evaluate(evaluate_jacobians);
 }
 
 void Evaluation::evaluate(bool derivatives) {
-  const State now = state();
-  parallel_for(measured_.size(), threads_, [&](std::size_t m) {
-    Rows rows;
-    problem_.measurements[m]->evaluate(now, columns_, derivatives, rows);
-    take(rows, derivatives, measured_[m]);
-  });
+  State now = state();
+  whiten_measurements(problem_, now, threads_);
+  parallel_for(measured_.size(), threads_,
+               [&](std::size_t m) { problem_.measurements[m]->evaluate(now, columns_, derivatives, measured_[m]); });
   parallel_for(seen_.size(), threads_, [&](std::size_t t) {
-    const std::vector<SightingRows> rows = linearize_sightings(now, columns_, problem_.track_model, problem_.tracks[t]);
-    seen_[t].resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) take(rows[i], problem_.track_model, seen_[t][i]);
+    evaluate_sightings(now, columns_, problem_.track_model, problem_.tracks[t], derivatives, seen_[t]);
   });
+  if (!derivatives) return;
+  linearized_ = std::move(now);
+  x_linearized_ = unknowns_.by_column();
+  landmarks_linearized_ = unknowns_.landmarks();
 }
 
 }  // namespace vispline::through_ceres

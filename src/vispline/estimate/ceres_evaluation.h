@@ -1,5 +1,5 @@
-/// What Ceres sees of a problem: unknowns as coordinates around a base state, and the rows of everything measured, made
-/// once for each point by the kernels of our own solver. docs/math/estimate.md, The solver.
+/// What Ceres sees of a problem: unknowns as plain numbers, and the rows of everything measured, made once for each
+/// point by the kernels of our own solver. docs/math/estimate.md, The solver.
 #pragma once
 
 #include <ceres/evaluation_callback.h>
@@ -9,46 +9,73 @@
 
 namespace vispline::through_ceres {
 
-/// Rows of one residual block. With w the robust weight rho', a row r counts as sqrt(w) r, and so do its derivatives:
-/// the gradient is exact, the curvature that of our own solver. What is left of the cost, sum(rho - w r^2) >= 0 and
-/// readings that cannot be predicted, is the last row, which has no derivatives.
-struct Residuals {
-  Eigen::VectorXd r{};
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> J{};
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> J_landmark{};
-  std::vector<int> column{};
+/// Unknowns that Ceres moves together: some knots in a row, the node of a bias, a parameter.
+struct Block {
+  double* x = nullptr;
+  int size = 0;
 };
 
+/// Where a column stands.
+struct Place {
+  std::size_t block = 0;
+  int offset = 0;
+};
+
+/// All in one piece of memory: Ceres takes blocks in the order of their addresses.
+class Unknowns {
+ public:
+  Unknowns(const Columns& columns, const std::vector<Parameter>& parameters, std::size_t tracks);
+  Unknowns(const Unknowns&) = delete;
+  Unknowns& operator=(const Unknowns&) = delete;
+
+  const std::vector<Block>& blocks() const { return blocks_; }
+  const Place& place(int column) const { return place_[static_cast<std::size_t>(column)]; }
+  double* landmark(std::size_t track) { return landmarks_[track].data(); }
+  const std::vector<Vector3d>& landmarks() const { return landmarks_; }
+  Eigen::VectorXd by_column() const;
+
+ private:
+  void add(const std::vector<int>& columns);
+
+  std::vector<double> x_;
+  std::vector<int> column_;  ///< of each x
+  std::vector<Block> blocks_;
+  std::vector<Place> place_;
+  std::vector<Vector3d> landmarks_;
+};
+
+/// Numbers mean the way from the state that was linearised last, where they are perturbations: Ceres only ever adds
+/// steps to the point that it has derivatives of, so it needs no manifold. Weights that depend on the state are those
+/// of each point itself, without derivatives: what is zero at the end is J^T r, as with our own solver.
 class Evaluation final : public ceres::EvaluationCallback {
  public:
-  Evaluation(const Problem& problem, const State& base, const Columns& columns,
-             const std::vector<Parameter>& parameters, std::size_t threads);
+  Evaluation(Problem& problem, const State& start, const Columns& columns, const std::vector<Parameter>& parameters,
+             std::size_t threads);
 
   void PrepareForEvaluation(bool evaluate_jacobians, bool new_evaluation_point) override;
 
-  /// Where Ceres keeps its numbers: zero at the base state.
-  double* unknowns(int column) { return x_.data() + column; }
-  double* landmark(std::size_t track) { return x_landmark_[track].data(); }
-  const State& base() const { return base_; }
+  Unknowns& unknowns() { return unknowns_; }
   /// The state that the numbers mean.
   State state() const;
 
   /// By measurement, then by sighting of each track.
-  std::vector<Residuals>& measured() { return measured_; }
-  std::vector<std::vector<Residuals>>& seen() { return seen_; }
+  const std::vector<Rows>& measured() const { return measured_; }
+  const std::vector<std::vector<SightingRows>>& seen() const { return seen_; }
 
  private:
   void evaluate(bool derivatives);
 
-  const Problem& problem_;
-  const State base_;
+  Problem& problem_;
   const Columns& columns_;
   const std::vector<Parameter>& parameters_;
   std::size_t threads_;
-  Eigen::VectorXd x_;
-  std::vector<Vector3d> x_landmark_;
-  std::vector<Residuals> measured_;
-  std::vector<std::vector<Residuals>> seen_;
+  Unknowns unknowns_;
+  State linearized_;
+  Eigen::VectorXd x_linearized_;
+  std::vector<Vector3d> landmarks_linearized_;
+  std::vector<Rows> measured_;
+  std::vector<std::vector<SightingRows>> seen_;
+  bool untouched_ = true;  ///< what is there is of the start, with derivatives
 };
 
 }  // namespace vispline::through_ceres

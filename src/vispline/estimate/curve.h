@@ -28,6 +28,17 @@ struct KnotRows {
   Eigen::Matrix<double, kRows, Eigen::Dynamic, Eigen::ColMajor, kRows, 6 * kMaxOrder> J;
 };
 
+/// Derivatives by the pose carried to the knots; block by block, whose sizes the compiler knows.
+template <int kRows>
+KnotRows<kRows> operator*(const Eigen::Matrix<double, kRows, 6>& d_pose, const KnotRows<6>& d_knots) {
+  KnotRows<kRows> rows{d_knots.first, {}};
+  rows.J.resize(kRows, d_knots.J.cols());
+  for (Eigen::Index k = 0; k < d_knots.J.cols(); k += 6) {
+    rows.J.template middleCols<6>(k).noalias() = d_pose.lazyProduct(d_knots.J.template middleCols<6>(k));
+  }
+  return rows;
+}
+
 /// A pose with its velocity, and the derivatives of the pose.
 struct PoseSample {
   Pose T_w_b;
@@ -50,7 +61,8 @@ class Curve {
   virtual std::size_t first_knot(const Instant& at) const = 0;
 
   virtual BodyState state(const Instant& at) const = 0;
-  virtual PoseSample pose(const Instant& at, bool derivatives) const = 0;
+  virtual Pose pose(const Instant& at) const = 0;
+  virtual PoseSample sample(const Instant& at, bool derivatives) const = 0;
 
   /// Rows of the six readings of an IMU; d_state given the state and its rate of change.
   using ImuRows = std::function<BodyJacobian<6>(const BodyState&, const BodyTangent& rate)>;

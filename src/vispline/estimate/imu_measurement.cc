@@ -54,7 +54,6 @@ class ImuRows final : public Measurement {
     rows.allocate_jacobian();
     for (Eigen::Index i = 0; i < samples; ++i) {
       linearize(state, imu, i, knots, local, rows);
-      scale(i, rows);
     }
   }
 
@@ -95,8 +94,8 @@ class ImuRows final : public Measurement {
     const auto triads = [&](bool gyro, bool accel, double offset_s) {
       const auto d_state = [&](const BodyState& body, const BodyTangent& rate) {
         BodyJacobian<6> L = BodyJacobian<6>::Zero();
-        if (gyro) L.topRows<3>() = gyroscope(body, rate, state, imu, i, local, predicted, rows);
-        if (accel) L.bottomRows<3>() = accelerometer(body, rate, state, imu, i, local, predicted, rows);
+        if (gyro) L.topRows<3>() = per_sigma(0) * gyroscope(body, rate, state, imu, i, local, predicted, rows);
+        if (accel) L.bottomRows<3>() = per_sigma(1) * accelerometer(body, rate, state, imu, i, local, predicted, rows);
         return L;
       };
       const KnotRows<6> part = state.curve->pull_back({time(i), offset_s}, d_state);
@@ -109,11 +108,15 @@ class ImuRows final : public Measurement {
       triads(false, true, imu.accelerometer.time_offset_s);
     }
     set_residual(i, predicted + bias_walk(state, {time(i)}), rows);
+    scale_residual(i, rows);
     if (local.bias_walk >= 0) {
       const BiasWalk::Place place = state.bias_walks[batch_.imu].locate({time(i)});
       const int node = local.bias_walk + 6 * static_cast<int>(place.first - local.first_node);
-      rows.J.block<6, 6>(6 * i, node).diagonal().array() += 1.0 - place.u;
-      rows.J.block<6, 6>(6 * i, node + 6).diagonal().array() += place.u;
+      const Eigen::Array<double, 6, 1> scale = (Eigen::Array<double, 6, 1>() << per_sigma(0), per_sigma(0),
+                                                per_sigma(0), per_sigma(1), per_sigma(1), per_sigma(1))
+                                                   .finished();
+      rows.J.block<6, 6>(6 * i, node).diagonal().array() += (1.0 - place.u) * scale;
+      rows.J.block<6, 6>(6 * i, node + 6).diagonal().array() += place.u * scale;
     }
   }
 
@@ -123,61 +126,62 @@ class ImuRows final : public Measurement {
     return l.d_params.middleCols(tangent_offset(Sensor::kBlocks, index), Sensor::kBlocks[index].tangent_size());
   }
 
+  /// Columns of one triad, from `row` on, over its sigma.
+  struct Put {
+    Rows& rows;
+    Eigen::Index row;
+    double per_sigma;
+    template <class Block>
+    void operator()(int column, const Block& block) const {
+      if (column >= 0) rows.J.block(row, column, 3, block.cols()) = per_sigma * block;
+    }
+  };
+
   template <class Sensor>
-  void common(const Linearization<3, Sensor::kParams>& l, const Pose& T_b_i, const State& state, Eigen::Index row,
-              const ImuLocal& local, Rows& rows) const {
-    const auto put = [&](int column, const auto& block) {
-      if (column >= 0) rows.J.block(row, column, 3, block.cols()) = block;
-    };
+  static void common(const Linearization<3, Sensor::kParams>& l, const Pose& T_b_i, const State& state,
+                     const ImuLocal& local, const Put& put) {
     const auto pose = part<Sensor>(l, "T_b_i");
-    put(local.c.translation, (pose.leftCols(3) * T_b_i.R.transpose()).eval());
-    put(local.c.rotation, pose.rightCols(3).eval());
-    put(local.c.time_offset, part<Sensor>(l, "time_offset").eval());
-    put(local.gravity_direction, (l.d_g_w * plane_across(state.g_w) * state.g_w.norm()).eval());
-    put(local.gravity_magnitude, (l.d_g_w * state.g_w.normalized()).eval());
+    if (local.c.translation >= 0) put(local.c.translation, pose.leftCols(3) * T_b_i.R.transpose());
+    put(local.c.rotation, pose.rightCols(3));
+    put(local.c.time_offset, part<Sensor>(l, "time_offset"));
+    if (local.gravity_direction >= 0) {
+      put(local.gravity_direction, l.d_g_w * plane_across(state.g_w) * state.g_w.norm());
+    }
+    if (local.gravity_magnitude >= 0) put(local.gravity_magnitude, l.d_g_w * state.g_w.normalized());
   }
 
   template <class Sensor>
-  static void misalignment(const Linearization<3, Sensor::kParams>& l, Eigen::Index row, int lower, int upper,
-                           Rows& rows) {
+  static void misalignment(const Linearization<3, Sensor::kParams>& l, int lower, int upper, const Put& put) {
     const auto d = part<Sensor>(l, "misalignment");
     for (int k = 0; k < 3; ++k) {
-      if (lower >= 0) rows.J.block<3, 1>(row, lower + k) = d.col(kLower[static_cast<std::size_t>(k)]);
-      if (upper >= 0) rows.J.block<3, 1>(row, upper + k) = d.col(kUpper[static_cast<std::size_t>(k)]);
+      if (lower >= 0) put(lower + k, d.col(kLower[static_cast<std::size_t>(k)]));
+      if (upper >= 0) put(upper + k, d.col(kUpper[static_cast<std::size_t>(k)]));
     }
   }
 
   BodyJacobian<3> gyroscope(const BodyState& body, const BodyTangent& rate, const State& state, const Imu& imu,
                             Eigen::Index i, const ImuLocal& local, Vector6d& predicted, Rows& rows) const {
     const auto l = Gyroscope::linearize(body, rate, imu.gyroscope, state.g_w);
+    const Put put{rows, 6 * i, per_sigma(0)};
     predicted.head<3>() = l.prediction;
-    common<Gyroscope>(l, imu.gyroscope.T_b_i, state, 6 * i, local, rows);
-    const auto put = [&](int column, std::string_view block) {
-      if (column < 0) return;
-      const auto d = part<Gyroscope>(l, block);
-      rows.J.block(6 * i, column, 3, d.cols()) = d;
-    };
-    put(local.c.gyro_bias, "bias");
-    put(local.c.gyro_scale, "scale");
-    misalignment<Gyroscope>(l, 6 * i, local.c.gyro_lower, local.c.gyro_upper, rows);
-    put(local.c.gyro_g_sensitivity, "g_sensitivity");
+    common<Gyroscope>(l, imu.gyroscope.T_b_i, state, local, put);
+    put(local.c.gyro_bias, part<Gyroscope>(l, "bias"));
+    put(local.c.gyro_scale, part<Gyroscope>(l, "scale"));
+    misalignment<Gyroscope>(l, local.c.gyro_lower, local.c.gyro_upper, put);
+    put(local.c.gyro_g_sensitivity, part<Gyroscope>(l, "g_sensitivity"));
     return l.d_state;
   }
 
   BodyJacobian<3> accelerometer(const BodyState& body, const BodyTangent& rate, const State& state, const Imu& imu,
                                 Eigen::Index i, const ImuLocal& local, Vector6d& predicted, Rows& rows) const {
     const auto l = Accelerometer::linearize(body, rate, imu.accelerometer, state.g_w);
+    const Put put{rows, 6 * i + 3, per_sigma(1)};
     predicted.tail<3>() = l.prediction;
-    common<Accelerometer>(l, imu.accelerometer.T_b_i, state, 6 * i + 3, local, rows);
-    const auto put = [&](int column, std::string_view block) {
-      if (column < 0) return;
-      const auto d = part<Accelerometer>(l, block);
-      rows.J.block(6 * i + 3, column, 3, d.cols()) = d;
-    };
-    put(local.c.accel_time_offset, "time_offset");
-    put(local.c.accel_bias, "bias");
-    put(local.c.accel_scale, "scale");
-    misalignment<Accelerometer>(l, 6 * i + 3, local.c.accel_lower, local.c.accel_upper, rows);
+    common<Accelerometer>(l, imu.accelerometer.T_b_i, state, local, put);
+    put(local.c.accel_time_offset, part<Accelerometer>(l, "time_offset"));
+    put(local.c.accel_bias, part<Accelerometer>(l, "bias"));
+    put(local.c.accel_scale, part<Accelerometer>(l, "scale"));
+    misalignment<Accelerometer>(l, local.c.accel_lower, local.c.accel_upper, put);
     return l.d_state;
   }
 
@@ -186,7 +190,7 @@ class ImuRows final : public Measurement {
     rows.r.segment<3>(6 * i + 3) = predicted.tail<3>() - sample(i).accel;
   }
 
-  double inverse_sigma(int triad) const {
+  double per_sigma(int triad) const {
     const double sigma = triad == 0 ? batch_.sigma.gyro : batch_.sigma.accel;
     return sigma > 0.0 ? 1.0 / sigma : 0.0;
   }
@@ -194,16 +198,11 @@ class ImuRows final : public Measurement {
   void scale_residual(Eigen::Index i, Rows& rows) const {
     for (int triad = 0; triad < 2; ++triad) {
       auto r = rows.r.segment<3>(6 * i + 3 * triad);
-      r *= inverse_sigma(triad);
+      r *= per_sigma(triad);
       const double s = r.squaredNorm();
       rows.cost += 0.5 * batch_.loss.loss(s);
       rows.weight.segment<3>(6 * i + 3 * triad).setConstant(batch_.loss.weight(s));
     }
-  }
-
-  void scale(Eigen::Index i, Rows& rows) const {
-    scale_residual(i, rows);
-    for (int triad = 0; triad < 2; ++triad) rows.J.middleRows<3>(6 * i + 3 * triad) *= inverse_sigma(triad);
   }
 
   std::string name_;

@@ -6,6 +6,8 @@
 #include "vispline/core/error.h"
 #include "vispline/estimate/normal_equations.h"
 #include "vispline/estimate/parameter_kind.h"
+#include "vispline/estimate/track_columns.h"
+#include "vispline/estimate/view_sums.h"
 
 namespace vispline {
 namespace {
@@ -46,24 +48,22 @@ class Blocks {
 /// J^T r of the readings of each block; a track counts where its landmark is anchored.
 Eigen::MatrixXd scores(const Problem& problem, const Solution& solution, const Blocks& blocks, int count) {
   Eigen::MatrixXd score = Eigen::MatrixXd::Zero(solution.columns.layout.columns, count);
+  const auto add = [&](const std::vector<int>& column, const Eigen::VectorXd& g, Time time) {
+    for (std::size_t c = 0; c < column.size(); ++c)
+      score(column[c], blocks.of(time)) += g(static_cast<Eigen::Index>(c));
+  };
   Rows rows;
   for (const auto& measurement : problem.measurements) {
     if (!is_reading(*measurement)) continue;
     measurement->evaluate(solution.state, solution.columns, true, rows);
-    const Eigen::VectorXd g = rows.pull(rows.weight.cwiseProduct(rows.r));
-    const Eigen::Index block = blocks.of(measurement->time());
-    for (std::size_t c = 0; c < rows.column.size(); ++c) {
-      score(rows.column[c], block) += g(static_cast<Eigen::Index>(c));
-    }
+    add(rows.column, rows.pull(rows.weight.cwiseProduct(rows.r)), measurement->time());
   }
-  if (problem.tracks.empty()) return score;
-  Skyline unused(solution.columns.layout.columns);
-  for (const Track& track : problem.tracks) unused.couple(columns_of(solution.state, solution.columns, track));
-  unused.allocate();
+  ViewSums unused(solution.state, solution.columns);
   for (const Track& track : problem.tracks) {
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(score.rows());
-    linearize_track(solution.state, solution.columns, problem.track_model, track, unused, g);
-    score.col(blocks.of(track.sightings.front().stamp)) += g;
+    const TrackColumns local(solution.state, solution.columns, track);
+    const TrackBlock equations =
+        linearize_track(solution.state, solution.columns, local, problem.track_model, track, Weights::kKept, unused);
+    add(equations.column, equations.g, track.sightings.front().stamp);
   }
   return score;
 }
@@ -71,11 +71,12 @@ Eigen::MatrixXd scores(const Problem& problem, const Solution& solution, const B
 }  // namespace
 
 Jackknife jackknife(const Problem& problem, const Solution& solution, const JackknifeOptions& options) {
-  require(solution.covariance.size() > 0 && options.blocks >= 2, "a solution with covariance, and two blocks or more");
+  require(solution.equations && solution.covariance.size() > 0 && options.blocks >= 2,
+          "a solution with covariance, and two blocks or more");
   Jackknife result;
   result.blocks = options.blocks;
-  const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
-  const auto pulled = equations.solve(scores(problem, solution, Blocks(problem, options.blocks), options.blocks));
+  const auto pulled =
+      solution.equations->solve(scores(problem, solution, Blocks(problem, options.blocks), options.blocks));
   if (!pulled) return result;
   const Eigen::MatrixXd shift = pulled->bottomRows(solution.covariance.rows());
   const double g = options.blocks;

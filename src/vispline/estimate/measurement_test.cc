@@ -132,7 +132,7 @@ TargetFrame frame_of(const State& state, std::size_t camera) {
   const Camera& c = state.rig.cameras[camera];
   for (int i = 0; i < 6; ++i) {
     Vector2d px(150.0 + 40.0 * i, 300.0 - 35.0 * i);
-    const Pose T_w_b = state.curve->pose({frame.stamp, c.delay_s(px)}, false).T_w_b;
+    const Pose T_w_b = state.curve->pose({frame.stamp, c.delay_s(px)});
     const Vector3d point = T_w_b * (c.T_c_b.inverse() * Vector3d(2.0 * *c.lens.unproject(px)));
     frame.px.push_back(px);
     frame.point.push_back(point);

@@ -4,12 +4,14 @@
 #include <algorithm>
 
 #include "vispline/core/parallel.h"
+#include "vispline/estimate/track_columns.h"
+#include "vispline/estimate/view_sums.h"
 
 namespace vispline {
 namespace {
 
 constexpr std::size_t kChunks = 4;
-constexpr std::size_t kSystems = 2;  ///< that tracks are summed in
+constexpr std::size_t kTrackChunks = 2;  ///< each has sums of its own
 
 struct ChunkRange {
   std::size_t begin, end;
@@ -23,17 +25,51 @@ Eigen::VectorXd damping(const Skyline& H, double lambda) {
 
 template <int kSize>
 Eigen::Matrix<double, kSize, 1> landmark_damping(const TrackBlock& track, double lambda) {
-  return lambda * track.H.diagonal().head<kSize>().cwiseMax(NormalEquations::kLeastInformation);
+  return lambda * track.H_l.diagonal().head<kSize>().cwiseMax(NormalEquations::kLeastInformation);
 }
 
-/// J^T W J of all columns.
+/// J^T W J of all columns; the lower triangle counts.
 Eigen::MatrixXd information(const Rows& rows) {
   const Eigen::MatrixXd J_t = (rows.weight.cwiseSqrt().asDiagonal() * rows.J).transpose();
   const int size = static_cast<int>(J_t.rows());
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
-  tiles::add_product({J_t.data(), size}, size, {J_t.data(), size}, size, static_cast<int>(J_t.cols()),
-                     {H.data(), size});
-  return rows.chain.size() == 0 ? H : Eigen::MatrixXd(rows.chain.transpose() * H * rows.chain);
+  tiles::add_symmetric_product({J_t.data(), size}, {J_t.data(), size}, size, static_cast<int>(J_t.cols()),
+                               {H.data(), size});
+  if (rows.chain.size() == 0) return H;
+  return rows.chain.transpose() * (H.selfadjointView<Eigen::Lower>() * rows.chain);
+}
+
+/// Of one measurement, by its own columns.
+struct LocalEquations {
+  std::vector<int> column{};
+  Eigen::MatrixXd H{};
+  Eigen::VectorXd g{};
+  double cost = 0.0;
+  std::size_t lost = 0;
+};
+
+std::vector<LocalEquations> linearize_measurements(const Problem& problem, const State& state, const Columns& columns,
+                                                   std::size_t threads) {
+  std::vector<LocalEquations> local(problem.measurements.size());
+  parallel_for(kChunks, threads, [&](std::size_t chunk) {
+    Rows rows;
+    const ChunkRange range(local.size(), chunk);
+    for (std::size_t m = range.begin; m < range.end; ++m) {
+      problem.measurements[m]->evaluate(state, columns, true, rows);
+      local[m] = {rows.column, information(rows), rows.pull(rows.weight.cwiseProduct(rows.r)), rows.cost, rows.lost};
+    }
+  });
+  return local;
+}
+
+void scatter(const std::vector<int>& column, const Eigen::VectorXd& local, Eigen::VectorXd& global) {
+  for (std::size_t i = 0; i < column.size(); ++i) global(column[i]) += local(static_cast<Eigen::Index>(i));
+}
+
+Eigen::VectorXd gathered(const std::vector<int>& column, const Eigen::VectorXd& global) {
+  Eigen::VectorXd local(static_cast<Eigen::Index>(column.size()));
+  for (std::size_t i = 0; i < column.size(); ++i) local(static_cast<Eigen::Index>(i)) = global(column[i]);
+  return local;
 }
 
 }  // namespace
@@ -63,51 +99,46 @@ CostAt cost_at(const Problem& problem, const State& state, const Columns& column
 }
 
 NormalEquations::NormalEquations(const Problem& problem, const State& state, const Columns& columns,
-                                 std::size_t threads)
-    : problem_(problem), H_(columns.layout.columns), tracks_(problem.tracks.size()) {
-  struct Local {
-    std::vector<int> column;
-    Eigen::MatrixXd H;
-    Eigen::VectorXd g;
-    double cost = 0.0;
-    std::size_t lost = 0;
-  };
-  std::vector<Local> local(problem.measurements.size());
-  parallel_for(kChunks, threads, [&](std::size_t chunk) {
-    Rows rows;
-    const ChunkRange range(local.size(), chunk);
-    for (std::size_t m = range.begin; m < range.end; ++m) {
-      problem.measurements[m]->evaluate(state, columns, true, rows);
-      local[m] = {rows.column, information(rows), rows.pull(rows.weight.cwiseProduct(rows.r)), rows.cost, rows.lost};
-    }
-  });
-  for (const Local& l : local) H_.couple(l.column);
-  for (const Track& track : problem.tracks) H_.couple(columns_of(state, columns, track));
+                                 std::size_t threads, Weights weights)
+    : unknowns_(problem.track_model.unknowns), H_(columns.layout.columns), tracks_(problem.tracks.size()) {
+  std::vector<LocalEquations> measured = linearize_measurements(problem, state, columns, threads);
+  std::vector<TrackColumns> local;
+  for (const Track& track : problem.tracks) local.emplace_back(state, columns, track);
+  for (const LocalEquations& m : measured) H_.couple(m.column);
+  for (const TrackColumns& track : local) H_.couple(track.column());
   H_.allocate();
   g_.setZero(columns.layout.columns);
-  for (const Local& l : local) {
-    H_.add(l.column, l.H);
-    for (std::size_t i = 0; i < l.column.size(); ++i) g_(l.column[i]) += l.g(static_cast<Eigen::Index>(i));
-    cost_ += l.cost;
-    lost_ += l.lost;
+  for (const LocalEquations& m : measured) {
+    H_.add(m.column, m.H);
+    scatter(m.column, m.g, g_);
+    cost_ += m.cost;
+    lost_ += m.lost;
   }
-  if (problem.tracks.empty()) return;
-  std::vector<Skyline> H(kSystems, H_.zeros());
-  std::vector<Eigen::VectorXd> g(kSystems, Eigen::VectorXd::Zero(g_.size()));
-  parallel_for(kSystems, threads, [&](std::size_t chunk) {
-    const ChunkRange range(problem.tracks.size(), chunk, kSystems);
+  std::vector<ViewSums> views(problem.tracks.empty() ? 0 : kTrackChunks, ViewSums(state, columns));
+  parallel_for(views.size(), threads, [&](std::size_t chunk) {
+    const ChunkRange range(local.size(), chunk, views.size());
     for (std::size_t t = range.begin; t < range.end; ++t) {
-      tracks_[t] = linearize_track(state, columns, problem.track_model, problem.tracks[t], H[chunk], g[chunk]);
+      tracks_[t] =
+          linearize_track(state, columns, local[t], problem.track_model, problem.tracks[t], weights, views[chunk]);
     }
   });
-  for (std::size_t chunk = 0; chunk < kSystems; ++chunk) {
-    H_ += H[chunk];
-    g_ += g[chunk];
-  }
+  for (const ViewSums& sums : views) sums.add_to(H_);
   for (const TrackBlock& track : tracks_) {
+    if (track.C.size() > 0) H_.add_products(track.column, track.C, track.reference, track.Q);
+    scatter(track.column, track.g, g_);
     cost_ += track.cost;
     lost_ += track.lost;
   }
+}
+
+NormalEquations NormalEquations::renewed(Problem& problem, const State& state, const Columns& columns,
+                                         std::size_t threads) {
+  whiten_measurements(problem, state, threads);
+  NormalEquations equations(problem, state, columns, threads, Weights::kRenewed);
+  for (std::size_t t = 0; t < problem.tracks.size(); ++t) {
+    problem.tracks[t].whitening = std::move(equations.tracks_[t].whitening);
+  }
+  return equations;
 }
 
 template <int kSize>
@@ -116,18 +147,15 @@ bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
   ProductPanel panel(reduced.H);
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const TrackBlock& track = tracks_[t];
-    Square H_l = track.H.topLeftCorner<kSize, kSize>();
+    Square H_l = track.H_l.topLeftCorner<kSize, kSize>();
     H_l.diagonal() += landmark_damping<kSize>(track, lambda);
     const Eigen::LLT<Square> cholesky(H_l);
     if (cholesky.info() != Eigen::Success) return false;
     const Square L_inverse = cholesky.matrixL().solve(Square::Identity());
     reduced.L_inverse[t].topLeftCorner<kSize, kSize>() = L_inverse;
-    const Eigen::Matrix<double, kSize, Eigen::Dynamic> P = L_inverse.lazyProduct(track.W);
-    const Eigen::Matrix<double, kSize, 1> p = L_inverse * track.g.head<kSize>();
-    panel.add(track.column, P);
-    for (std::size_t i = 0; i < track.column.size(); ++i) {
-      reduced.g(track.column[i]) -= P.col(static_cast<Eigen::Index>(i)).dot(p);
-    }
+    const Eigen::Matrix<double, Eigen::Dynamic, kSize> P_t = track.W_t.lazyProduct(L_inverse.transpose());
+    panel.add(track.column, P_t);
+    scatter(track.column, -P_t.lazyProduct(L_inverse * track.g_l.head<kSize>()), reduced.g);
   }
   panel.flush();
   return true;
@@ -136,7 +164,7 @@ bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
 NormalEquations::Reduced NormalEquations::reduce(double lambda) const {
   Reduced reduced{H_, g_, std::vector<Eigen::Matrix3d>(tracks_.size()), true};
   if (lambda > 0.0) reduced.H.add_to_diagonal(damping(H_, lambda));
-  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  const bool point = unknowns_ == LandmarkUnknowns::kPoint;
   reduced.positive = (point ? eliminate<3>(lambda, reduced) : eliminate<1>(lambda, reduced)) && reduced.H.factor();
   return reduced;
 }
@@ -148,16 +176,13 @@ double NormalEquations::substitute_of(double lambda, const Reduced& reduced, boo
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     const TrackBlock& track = tracks_[t];
     Vector rhs = Vector::Zero();
-    if (gradient) rhs = -track.g.head<kSize>();
-    for (std::size_t i = 0; i < track.column.size(); ++i) {
-      rhs -= track.W.col(static_cast<Eigen::Index>(i)) * step.delta(track.column[i]);
-    }
+    if (gradient) rhs = -track.g_l.head<kSize>();
+    rhs -= (track.W_t.transpose() * gathered(track.column, step.delta)).head<kSize>();
     const Eigen::Matrix<double, kSize, kSize> L_inverse = reduced.L_inverse[t].topLeftCorner<kSize, kSize>();
     Vector delta = L_inverse.transpose() * (L_inverse * rhs);
-    sum += delta.dot(landmark_damping<kSize>(track, lambda).cwiseProduct(delta) - track.g.head<kSize>());
-    for (std::size_t i = 0; i < track.carried.size(); ++i) {
-      delta -= track.carry.col(static_cast<Eigen::Index>(i)) * step.delta(track.carried[i]);
-    }
+    sum += delta.dot(landmark_damping<kSize>(track, lambda).cwiseProduct(delta) - track.g_l.head<kSize>());
+    if (track.carry_t.size() > 0)
+      delta -= (track.carry_t.transpose() * gathered(track.reference, step.delta)).head<kSize>();
     step.delta_landmark[t].head<kSize>() = delta;
   }
   return sum;
@@ -165,7 +190,7 @@ double NormalEquations::substitute_of(double lambda, const Reduced& reduced, boo
 
 double NormalEquations::substitute(double lambda, const Reduced& reduced, bool gradient, Step& step) const {
   step.delta_landmark.assign(tracks_.size(), Vector3d::Zero());
-  const bool point = problem_.track_model.unknowns == LandmarkUnknowns::kPoint;
+  const bool point = unknowns_ == LandmarkUnknowns::kPoint;
   return point ? substitute_of<3>(lambda, reduced, gradient, step) : substitute_of<1>(lambda, reduced, gradient, step);
 }
 

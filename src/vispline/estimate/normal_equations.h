@@ -27,8 +27,12 @@ class NormalEquations {
   /// That the damping takes a column to have at least: one that nothing was measured of stays where it is.
   static constexpr double kLeastInformation = 1e-6;
 
-  /// Linearises everything. Work is cut into chunks that do not depend on `threads`, summed in order.
-  NormalEquations(const Problem& problem, const State& state, const Columns& columns, std::size_t threads);
+  /// Linearises everything, with the weights that the problem has. Work is cut into chunks that do not depend on
+  /// `threads`, summed in order.
+  NormalEquations(const Problem& problem, const State& state, const Columns& columns, std::size_t threads)
+      : NormalEquations(problem, state, columns, threads, Weights::kKept) {}
+  /// First fixes the weights of all rows by the state, until the next call: cost_at() goes by them.
+  static NormalEquations renewed(Problem& problem, const State& state, const Columns& columns, std::size_t threads);
 
   double cost() const { return cost_; }
   std::size_t lost() const { return lost_; }
@@ -49,6 +53,8 @@ class NormalEquations {
   Eigen::VectorXd diagonal() const { return H_.diagonal(); }
 
  private:
+  NormalEquations(const Problem& problem, const State& state, const Columns& columns, std::size_t threads,
+                  Weights weights);
   struct Reduced {
     Skyline H;
     Eigen::VectorXd g;
@@ -65,7 +71,7 @@ class NormalEquations {
   template <int kSize>
   double substitute_of(double lambda, const Reduced& reduced, bool gradient, Step& step) const;
 
-  const Problem& problem_;
+  LandmarkUnknowns unknowns_;
   Skyline H_;
   Eigen::VectorXd g_;
   std::vector<TrackBlock> tracks_;

@@ -111,7 +111,7 @@ std::vector<WeakDirection> weak_directions(const Solution& solution) {
 
 std::vector<WeakDirection> null_directions(const Solution& solution, const NormalEquations& equations) {
   constexpr double kShare = 1e-4;  // of 1 / lambda: the rest of the direction may lie in the trajectory
-  const int n = solution.columns.layout.columns - solution.columns.layout.first_parameter;
+  const int n = solution.columns.layout.parameters();
   for (double lambda = 1e-10; lambda < 1e-3; lambda *= 100.0) {
     const auto covariance = equations.damped_covariance(n, lambda);
     if (!covariance) continue;

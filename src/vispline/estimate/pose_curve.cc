@@ -66,7 +66,7 @@ PoseCurve fit_pose_curve(const Signal<Pose>& T_w_s, Duration least_spacing, doub
   options.relative_decrease = 1e-5;
   Solution solution = solve(problem, options);
   for (std::size_t i = 0; i < T_w_s.size(); ++i) {
-    const Pose at = solution.state.curve->pose({T_w_s.time[i]}, false).T_w_b;
+    const Pose at = solution.state.curve->pose({T_w_s.time[i]});
     result.position_rms_m += (at.p - T_w_s.value[i].p).squaredNorm();
     result.rotation_rms_rad += SO3::log<double>(Matrix3d(at.R.transpose() * T_w_s.value[i].R)).squaredNorm();
   }

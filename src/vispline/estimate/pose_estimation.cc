@@ -75,7 +75,7 @@ class PoseEstimator {
     }
     state_.curve = make_curve(options_.curve, {used_.begin - margin, used_.end + margin}, [&](Time t) {
       const Time at = std::clamp(t - offset, motion.span().begin, motion.span().end);
-      return motion.pose({at}, false).T_w_b * reference.T_b_k.inverse();
+      return motion.pose({at}) * reference.T_b_k.inverse();
     });
     if (options_.bias_walk) walk_biases(state_, used_, *options_.bias_walk);
   }

@@ -36,7 +36,7 @@ class PoseRows final : public Measurement {
       rows.allocate_jacobian();
     }
     for (std::size_t i = 0; i < batch_.time.size(); ++i) {
-      const PoseSample at = state.curve->pose({batch_.time[i], reference.time_offset_s}, derivatives);
+      const PoseSample at = state.curve->sample({batch_.time[i], reference.time_offset_s}, derivatives);
       pose(reference, at, i, derivatives, knots, local, rows);
     }
   }
@@ -61,7 +61,7 @@ class PoseRows final : public Measurement {
       rows.J.block(row, column, 3, position.cols()) = position;
       rows.J.block(row + 3, column, 3, rotation.cols()) = rotation;
     };
-    knots.add((d_pose * at.d_knots.J).eval(), at.d_knots.first, row, rows.J);
+    knots.add((d_pose * at.d_knots).J, at.d_knots.first, row, rows.J);
     put(local.world_translation, Matrix3d::Identity(), Matrix3d::Zero());
     put(local.world_rotation, (-reference.T_m_w.R * hat<double>(at.T_w_b * reference.T_b_k.p)).eval(),
         (Jr_inv * R_k_b * at.T_w_b.R.transpose()).eval());
@@ -98,7 +98,7 @@ class GaugeRows final : public Measurement {
   Time time() const override { return gauge_.time; }
 
   void evaluate(const State& state, const Columns& columns, bool derivatives, Rows& rows) const override {
-    const PoseSample at = state.curve->pose({gauge_.time}, derivatives);
+    const PoseSample at = state.curve->sample({gauge_.time}, derivatives);
     // Rotation error in w: the vertical component alone is what a yaw changes.
     const Vector3d turn_w = SO3::log<double>(Matrix3d(at.T_w_b.R * gauge_.T_w_b.R.transpose()));
     const Eigen::Matrix<double, Eigen::Dynamic, 3> about = gauge_.whole_rotation

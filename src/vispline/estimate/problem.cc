@@ -10,18 +10,21 @@ namespace {
 
 constexpr std::size_t kWhitenChunk = 64;
 
+void in_chunks(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work) {
+  parallel_for((count + kWhitenChunk - 1) / kWhitenChunk, threads, [&](std::size_t chunk) {
+    for (std::size_t i = chunk * kWhitenChunk; i < std::min(count, (chunk + 1) * kWhitenChunk); ++i) work(i);
+  });
+}
+
 }  // namespace
 
+void whiten_measurements(Problem& problem, const State& state, std::size_t threads) {
+  in_chunks(problem.measurements.size(), threads, [&](std::size_t m) { problem.measurements[m]->whiten(state); });
+}
+
 void whiten(Problem& problem, const State& state, std::size_t threads) {
-  const auto each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
-    parallel_for((count + kWhitenChunk - 1) / kWhitenChunk, threads, [&](std::size_t chunk) {
-      for (std::size_t i = chunk * kWhitenChunk; i < std::min(count, (chunk + 1) * kWhitenChunk); ++i) work(i);
-    });
-  };
-  each(problem.measurements.size(), [&](std::size_t m) { problem.measurements[m]->whiten(state); });
-  const auto rolling = [](const Camera& camera) { return camera.shutter.line_delay_s != 0.0; };
-  if (std::none_of(state.rig.cameras.begin(), state.rig.cameras.end(), rolling)) return;
-  each(problem.tracks.size(), [&](std::size_t t) { whiten(state, problem.tracks[t]); });
+  whiten_measurements(problem, state, threads);
+  in_chunks(problem.tracks.size(), threads, [&](std::size_t t) { whiten(state, problem.tracks[t]); });
 }
 
 Columns assign_columns(const State& state, std::vector<Parameter>& parameters) {

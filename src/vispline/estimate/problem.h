@@ -20,6 +20,7 @@ struct Problem {
 };
 
 /// Fixes the weights of all rows by the state; the same for any number of threads.
+void whiten_measurements(Problem& problem, const State& state, std::size_t threads);
 void whiten(Problem& problem, const State& state, std::size_t threads);
 
 /// Gives every free unknown its columns: knots and bias nodes in the order of time, then parameters.

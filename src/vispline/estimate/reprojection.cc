@@ -29,13 +29,19 @@ std::optional<Reprojection> linearize_reprojection(const Camera& camera, const P
   return out;
 }
 
+HomogeneousPoint anchored_point(const Camera& camera, const Pose& T_w_b, const InverseDepthLandmark& landmark) {
+  const double rho = landmark.inverse_distance;
+  const Vector3d y_b = camera.T_c_b.R.transpose() * (landmark.bearing_c - rho * camera.T_c_b.p);
+  return {T_w_b.R * y_b + rho * T_w_b.p, rho};
+}
+
 AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const InverseDepthLandmark& landmark) {
   const double rho = landmark.inverse_distance;
   const Matrix3d R_w_c = T_w_b.R * camera.T_c_b.R.transpose();
   const Vector3d y_b = camera.T_c_b.R.transpose() * (landmark.bearing_c - rho * camera.T_c_b.p);
   const Matrix3d turn = T_w_b.R * hat(y_b);
   AnchoredPoint out;
-  out.point = {T_w_b.R * y_b + rho * T_w_b.p, rho};
+  out.point = anchored_point(camera, T_w_b, landmark);
   out.d_pose.topRows<3>() << rho * T_w_b.R, -turn;
   out.d_T_c_b.topRows<3>() << -rho * R_w_c, turn;
   out.d_bearing.topRows<3>() = R_w_c;

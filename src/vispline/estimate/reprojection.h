@@ -34,6 +34,7 @@ struct AnchoredPoint {
   Eigen::Matrix<double, 4, 3> d_bearing;  ///< of bearing_c, all three coordinates
   Eigen::Vector4d d_inverse_distance;
 };
+HomogeneousPoint anchored_point(const Camera& camera, const Pose& T_w_b, const InverseDepthLandmark& landmark);
 AnchoredPoint linearize_anchor(const Camera& camera, const Pose& T_w_b, const InverseDepthLandmark& landmark);
 
 /// What turns (predicted at the measured line - measured) into the residual of the pixel itself: newton_whitening() for

@@ -172,13 +172,13 @@ ProductPanel::ProductPanel(Skyline& system)
       tile_(static_cast<std::size_t>(system.tiles()), Skyline::Tile::Zero()),
       touched_(static_cast<std::size_t>(system.tiles())) {}
 
-void ProductPanel::add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& P) {
-  const auto rows = static_cast<int>(P.rows());
+void ProductPanel::add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& P_t) {
+  const auto rows = static_cast<int>(P_t.cols());
   if (rows_ + rows > Skyline::kTile) flush();
   for (const Skyline::Run& run : Skyline::runs_of(columns)) {
     const auto t = static_cast<std::size_t>(run.global / Skyline::kTile);
     touched_[t] = true;
-    tile_[t].block(run.global % Skyline::kTile, rows_, run.size, rows) = P.middleCols(run.local, run.size).transpose();
+    tile_[t].block(run.global % Skyline::kTile, rows_, run.size, rows) = P_t.middleRows(run.local, run.size);
   }
   rows_ += rows;
 }

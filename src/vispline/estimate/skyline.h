@@ -86,8 +86,8 @@ class Skyline {
 class ProductPanel {
  public:
   explicit ProductPanel(Skyline& system);
-  /// Rows of P at `columns`; at most kTile rows at once.
-  void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& P);
+  /// P^T, one row for each of `columns`; at most kTile columns at once.
+  void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& P_t);
   void flush();
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "vispline/estimate/ceres_engine.h"
 #include "vispline/estimate/normal_equations.h"
@@ -33,13 +34,12 @@ class Damping {
 };
 
 void finish(Problem& problem, const SolveOptions& options, Solution& solution) {
-  if (!options.covariance || solution.status == SolveStatus::kFailed) return;
-  whiten(problem, solution.state, options.threads);
-  const NormalEquations last(problem, solution.state, solution.columns, options.threads);
-  const int n = solution.columns.layout.columns - solution.columns.layout.first_parameter;
-  const auto covariance = last.covariance(n);
+  if (!options.covariance || !std::isfinite(solution.cost)) return;
+  solution.equations = std::make_shared<const NormalEquations>(
+      NormalEquations::renewed(problem, solution.state, solution.columns, options.threads));
+  const auto covariance = solution.equations->covariance(solution.columns.layout.parameters());
   solution.full_rank = covariance.has_value();
-  if (covariance) solution.covariance = *covariance;
+  if (covariance && solution.status != SolveStatus::kFailed) solution.covariance = *covariance;
 }
 
 void minimize(Problem& problem, const SolveOptions& options, Solution& solution) {
@@ -48,8 +48,7 @@ void minimize(Problem& problem, const SolveOptions& options, Solution& solution)
   bool done = false;
   int iteration = 0;
   while (!done && iteration < options.max_iterations) {
-    whiten(problem, solution.state, options.threads);
-    const NormalEquations equations(problem, solution.state, solution.columns, options.threads);
+    const auto equations = NormalEquations::renewed(problem, solution.state, solution.columns, options.threads);
     at = {equations.cost(), equations.lost()};
     if (iteration == 0) solution.first_cost = at.cost;
     if (!std::isfinite(at.cost)) {

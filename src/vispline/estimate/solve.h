@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "vispline/estimate/problem.h"
@@ -31,8 +32,10 @@ struct SolveOptions {
   double first_lambda = 1e-6;
   std::size_t threads = 1;                              ///< does not change a byte of the result
   std::function<bool(const IterationRow&)> progress{};  ///< false: stop and keep the best state so far
-  bool covariance = true;
+  bool covariance = true;  ///< with it the equations at the solution, which assess() and jackknife() ask for
 };
+
+class NormalEquations;
 
 enum class SolveStatus { kConverged, kIterationLimit, kStopped, kFailed };
 
@@ -44,7 +47,8 @@ struct Solution {
   double first_cost = 0.0, cost = 0.0;
   std::size_t lost = 0;  ///< readings that cannot be predicted at the solution
   std::vector<IterationRow> iterations{};
-  bool full_rank = false;        ///< the information matrix could be factored without damping
+  std::shared_ptr<const NormalEquations> equations{};  ///< at `state`
+  bool full_rank = false;                              ///< the information matrix could be factored without damping
   Eigen::MatrixXd covariance{};  ///< of the parameters that are not fixed, in their order; empty without full rank
 };
 

@@ -24,28 +24,27 @@ class SplineCurve final : public Curve {
   std::size_t first_knot(const Instant& at) const override { return spline().locate(at.time, at.extra_s).first; }
 
   BodyState state(const Instant& at) const override {
-    const Evaluation e(spline(), at);
+    const Evaluation<2> e(spline(), at);
     return BodyFrame<G>::state(e.point.X, e.point.V(), e.point.dV());
   }
 
-  PoseSample pose(const Instant& at, bool derivatives) const override {
-    const Evaluation e(spline(), at);
-    const BodyState state = BodyFrame<G>::state(e.point.X, e.point.V(), e.point.dV());
-    PoseSample sample;
-    sample.T_w_b = state.T_w_b();
-    sample.twist_b << state.R_w_b.transpose() * state.v_w, state.omega_b;
+  Pose pose(const Instant& at) const override { return spline().element(spline().locate(at.time, at.extra_s)); }
+
+  PoseSample sample(const Instant& at, bool derivatives) const override {
+    const Evaluation<1> e(spline(), at);
+    PoseSample sample{e.point.X, BodyFrame<G>::twist(e.point.X, e.point.V()), {}};
     if (!derivatives) return sample;
     const auto J = cumulative_jacobian<G, K, 0>(e.point, &spline().pairs()[e.place.first]);
     sample.d_knots.first = e.place.first;
     sample.d_knots.J.resize(6, 6 * K);
     for (int m = 0; m < K; ++m) {
-      sample.d_knots.J.template middleCols<6>(6 * m) = in_body(state.R_w_b, J.X[static_cast<std::size_t>(m)].dense());
+      sample.d_knots.J.template middleCols<6>(6 * m) = in_body(e.point.X.R, J.X[static_cast<std::size_t>(m)].dense());
     }
     return sample;
   }
 
   KnotRows<6> pull_back(const Instant& at, const ImuRows& d_state) const override {
-    const Evaluation e(spline(), at);
+    const Evaluation<2> e(spline(), at);
     const Kinematics<G> k{e.point.X, e.point.V(), e.point.dV(), e.point.ddV()};
     const BodyJacobian<6> L = d_state(BodyFrame<G>::state(k.X, k.V, k.dV), BodyFrame<G>::rate(k));
     const auto rows = BodyFrame<G>::template pull_back<6>(k, L);
@@ -74,12 +73,15 @@ class SplineCurve final : public Curve {
   Trajectory trajectory() const override { return Trajectory(pose_spline_); }
 
  private:
+  template <int kDerivatives>
   struct Evaluation {
     typename Spline<G, K>::Place place;
     CumulativeBasis<K> basis;
-    CumulativePoint<G, K> point;
+    CumulativePoint<G, K, double, kDerivatives> point;
     Evaluation(const Spline<G, K>& spline, const Instant& at)
-        : place(spline.locate(at.time, at.extra_s)), basis(spline.basis(place)), point(spline.point(place, basis)) {}
+        : place(spline.locate(at.time, at.extra_s)),
+          basis(spline.basis(place)),
+          point(spline.template point<kDerivatives>(place, basis)) {}
   };
 
   /// The tangent of the group as the right perturbation of a pose: of the split pose, positions are moved in w.

@@ -55,6 +55,8 @@ struct Layout {
   std::vector<std::vector<int>> bias{};  ///< [imu][node], six columns each
   int first_parameter = 0;
   int columns = 0;
+
+  int parameters() const { return columns - first_parameter; }
 };
 
 }  // namespace vispline

@@ -33,7 +33,7 @@ class TargetRows final : public Measurement {
     const Camera& camera = state.rig.cameras[frame_.camera];
     if (is_global(camera)) return;
     for (std::size_t i = 0; i < frame_.px.size(); ++i) {
-      const PoseSample at = state.curve->pose({frame_.stamp, camera.delay_s(frame_.px[i])}, false);
+      const PoseSample at = state.curve->sample({frame_.stamp, camera.delay_s(frame_.px[i])}, false);
       whitening_[i] = line_whitening(camera, at.T_w_b, at.twist_b, HomogeneousPoint::known(frame_.point[i]));
     }
   }
@@ -92,16 +92,16 @@ class TargetRows final : public Measurement {
 
   void predict(const State& state, Rows& rows) const {
     const Camera& camera = state.rig.cameras[frame_.camera];
-    PoseSample at;
+    Pose T_w_b;
     for (Eigen::Index i = 0; i < points(); ++i) {
-      if (i == 0 || !is_global(camera)) at = state.curve->pose({frame_.stamp, camera.delay_s(px(i))}, false);
-      measure(i, reproject(camera, at.T_w_b, known(i)), rows);
+      if (i == 0 || !is_global(camera)) T_w_b = state.curve->pose({frame_.stamp, camera.delay_s(px(i))});
+      measure(i, reproject(camera, T_w_b, known(i)), rows);
     }
   }
 
   void linearize_global(const State& state, const KnotColumns& knots, const CameraLocal& local, Rows& rows) const {
     const Camera& camera = state.rig.cameras[frame_.camera];
-    const PoseSample at = state.curve->pose({frame_.stamp, camera.time_offset_s}, true);
+    const PoseSample at = state.curve->sample({frame_.stamp, camera.time_offset_s}, true);
     start_chain(camera, at, knots, local, rows);
     for (Eigen::Index i = 0; i < points(); ++i) {
       const auto seen = linearize_reprojection(camera, at.T_w_b, known(i));
@@ -115,7 +115,7 @@ class TargetRows final : public Measurement {
     const Camera& camera = state.rig.cameras[frame_.camera];
     rows.allocate_jacobian();
     for (Eigen::Index i = 0; i < points(); ++i) {
-      const PoseSample at = state.curve->pose({frame_.stamp, camera.delay_s(px(i))}, true);
+      const PoseSample at = state.curve->sample({frame_.stamp, camera.delay_s(px(i))}, true);
       const auto seen = linearize_reprojection(camera, at.T_w_b, known(i));
       if (measure(i, px_of(seen), rows)) differentiate(camera, at, i, *seen, knots, local, rows);
     }
@@ -143,7 +143,7 @@ class TargetRows final : public Measurement {
                      const KnotColumns& knots, const CameraLocal& local, Rows& rows) const {
     const Vector2d ydot = seen.d_pose * at.twist_b;
     const Matrix2x6 d_pose = scale(i) * seen.d_pose;
-    knots.add((d_pose * at.d_knots.J).eval(), at.d_knots.first, 2 * i, rows.J);
+    knots.add((d_pose * at.d_knots).J, at.d_knots.first, 2 * i, rows.J);
     const auto put = [&](int column, const auto& block) {
       if (column >= 0) rows.J.block(2 * i, column, 2, block.cols()) = scale(i) * block;
     };

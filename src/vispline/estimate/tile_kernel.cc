@@ -1,5 +1,7 @@
 #include "vispline/estimate/tile_kernel.h"
 
+#include <algorithm>
+
 namespace vispline::tiles {
 namespace {
 
@@ -145,6 +147,14 @@ void solve_transposed(const double* L, double* X) { level().solve_transposed(L, 
 void add_product(Columns<const double> A, int rows, Columns<const double> B, int columns, int depth,
                  Columns<double> C) {
   level().add_product(A, rows, B, columns, depth, C);
+}
+
+void add_symmetric_product(Columns<const double> A, Columns<const double> B, int size, int depth, Columns<double> C) {
+  constexpr int kStrip = 8;
+  for (int begin = 0; begin < size; begin += kStrip) {
+    add_product({A.data + begin, A.stride}, size - begin, {B.data + begin, B.stride}, std::min(kStrip, size - begin),
+                depth, {C.data + begin * C.stride + begin, C.stride});
+  }
 }
 
 }  // namespace vispline::tiles

@@ -23,4 +23,7 @@ struct Columns {
 /// C += A B^T for A of rows x depth, B of columns x depth.
 void add_product(Columns<const double> A, int rows, Columns<const double> B, int columns, int depth, Columns<double> C);
 
+/// The lower triangle, and no less, of C += A B^T for a product that is symmetric.
+void add_symmetric_product(Columns<const double> A, Columns<const double> B, int size, int depth, Columns<double> C);
+
 }  // namespace vispline::tiles

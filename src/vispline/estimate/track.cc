@@ -2,9 +2,10 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 
+#include "vispline/estimate/track_columns.h"
 #include "vispline/estimate/track_kernel.h"
+#include "vispline/estimate/view_sums.h"
 
 namespace vispline {
 namespace {
@@ -13,136 +14,139 @@ using namespace track_kernel;
 
 class TrackLinearizer {
  public:
-  TrackLinearizer(const State& state, const Columns& columns, const TrackModel& model, const Track& track,
-                  Skyline& system, Eigen::VectorXd& gradient)
+  TrackLinearizer(const State& state, const Columns& columns, const TrackColumns& local, const TrackModel& model,
+                  const Track& track, Weights weights, ViewSums& views)
       : state_(state),
+        cameras_(columns.parameters.cameras),
+        local_(local),
         model_(model),
         track_(track),
-        system_(system),
-        gradient_(gradient),
-        columns_(state, columns, track),
+        weights_(weights),
+        views_(views),
         reference_(reference_of(state, track, true)),
-        n_(model.size()) {
-    block_.column = columns_.column();
-    C_.setZero(4, static_cast<Eigen::Index>(block_.column.size()));
+        n_(model.size()),
+        C_(Eigen::MatrixXd::Zero(local.size(), 4)) {
+    block_.column = local.column();
+    block_.g.setZero(local.size());
+    block_.whitening.assign(track.sightings.size(), Eigen::Matrix2d(Eigen::Matrix2d::Identity()));
   }
 
   TrackBlock run() {
     for (std::size_t i = 1; i < track_.sightings.size(); ++i) sighting(i);
-    const Sparse<Matrix4X> Q = reference_columns(reference_, model_, columns_);
+    const ViewRows<4> Q = rows_of(reference_, model_, camera(0));
     const LandmarkRows Q_l = landmark_columns(reference_.anchor, model_, landmark().bearing_c);
-    block_.W = Q_l.transpose().lazyProduct(C_);
-    block_.H.topLeftCorner(n_, n_) = Q_l.transpose() * S_ * Q_l;
-    block_.g.head(n_) = Q_l.transpose() * s_;
+    block_.W_t = C_.lazyProduct(Q_l);
+    block_.H_l.topLeftCorner(n_, n_) = Q_l.transpose() * S_ * Q_l;
+    block_.g_l.head(n_) = Q_l.transpose() * s_;
+    block_.reference = local_.columns_of(0);
     const bool point = model_.unknowns == LandmarkUnknowns::kPoint, held = wants_beyond_infinity();
     point && !held ? carry(Q, Q_l) : along_with_reference(Q, Q_l);
-    if (point) reference_pixel(Q);
+    if (point) reference_row(Q.size, Q.knots);
     if (held) hold_at_infinity();
     return std::move(block_);
   }
 
  private:
   const InverseDepthLandmark& landmark() const { return state_.landmarks[track_.landmark]; }
+  const CameraColumns& camera(std::size_t i) const { return cameras_[track_.sightings[i].camera]; }
 
-  void lose() {
+  void lose(std::size_t i) {
     ++block_.lost;
     block_.cost += lost_cost(model_);
+    block_.whitening[i] = std::nullopt;
   }
-
-  /// Rows A with residual r, by their local columns: their products go to the system.
-  void add(const Sparse<Matrix2X>& A, const Vector2d& r) {
-    A_t_ = A.J.transpose();
-    global_ = global_columns(A.local, block_.column);
-    system_.add_rows(global_, A_t_);
-    add_to(global_, A_t_ * r, gradient_);
+  void take(std::size_t i, const Seen& seen) {
+    block_.cost += 0.5 * model_.loss.loss(seen.r.squaredNorm());
+    block_.whitening[i] = seen.whitening;
   }
 
   /// The sighting's own columns at once; what it says of the point is collected in C, S and s.
-  void sighting(std::size_t index) {
-    const Sighting& s = track_.sightings[index];
-    const Camera& camera = state_.rig.cameras[s.camera];
-    const PoseSample at = state_.curve->pose({s.stamp, camera.delay_s(s.px)}, true);
-    const auto seen = see(state_, model_, track_, index, at, reference_.anchor.point);
-    if (!seen) return lose();
-    block_.cost += 0.5 * model_.loss.loss(seen->r.squaredNorm());
-    const Sparse<Matrix2X> A = sighting_columns(camera, s, at, *seen, columns_);
+  void sighting(std::size_t i) {
+    const Sighting& s = track_.sightings[i];
+    const PoseSample at = state_.curve->sample(instant_of(state_, s), true);
+    const std::optional<Eigen::Matrix2d> kept = whitening_of(track_, i);
+    const auto seen = see(state_, model_, s, at, reference_.anchor.point, weights_ == Weights::kKept ? &kept : nullptr);
+    if (!seen) return lose(i);
+    take(i, *seen);
+    const ViewRows<2> A = rows_of(state_, camera(i), s, at, *seen, seen->root);
     const Eigen::Matrix<double, 2, 4> q = seen->root * seen->scale * seen->image.d_point;
     const Vector2d r = seen->root * seen->r;
-    add(A, r);
-    for (std::size_t i = 0; i < A.local.size(); ++i) {
-      C_.col(A.local[i]) += q.transpose() * A.J.col(static_cast<Eigen::Index>(i));
-    }
+    views_.add(s.camera, local_.first_knot(i), A, A);
+    local_.add(i, A, r, block_.g);
+    local_.add(i, A, q, C_);
     S_ += q.transpose() * q;
     s_ += q.transpose() * r;
   }
 
   /// The point itself depends on the reference view and on the landmark.
-  void along_with_reference(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
-    const std::vector<int> global = global_columns(Q.local, block_.column);
-    system_.add(global, Q.J.transpose() * S_ * Q.J);
-    add_to(global, Q.J.transpose() * s_, gradient_);
-    const Eigen::MatrixXd C_t = C_.transpose(), Q_t = Q.J.transpose();
-    system_.add_products(block_.column, C_t, global, Q_t);
-    const Eigen::MatrixXd W = Q_l.transpose() * S_ * Q.J;
-    for (std::size_t i = 0; i < Q.local.size(); ++i) {
-      block_.W.col(Q.local[i]) += W.col(static_cast<Eigen::Index>(i));
-    }
+  void along_with_reference(const ViewRows<4>& Q, const LandmarkRows& Q_l) {
+    ViewRows<4> QS = Q;
+    QS.storage.topRows(Q.size) = Q.J_t() * S_;
+    views_.add(track_.sightings.front().camera, local_.first_knot(0), QS, Q);
+    local_.add(0, Q, s_, block_.g);
+    local_.add(0, QS, Q_l, block_.W_t);
+    block_.C = C_;
+    block_.Q = Q.J_t();
   }
 
   /// A point has its own three unknowns, and the reference view moves it as these could: Q = Q_l carry, up to a
   /// multiple of the homogeneous point, which no image sees. Counted in the world, the point does not depend on that
   /// view.
-  void carry(const Sparse<Matrix4X>& Q, const LandmarkRows& Q_l) {
+  void carry(const ViewRows<4>& Q, const LandmarkRows& Q_l) {
     const HomogeneousPoint& point = reference_.anchor.point;
     Eigen::Matrix4d basis;
     basis << Q_l, (Eigen::Vector4d() << point.direction_w, point.inverse_distance).finished();
-    block_.carry = (basis.inverse() * Q.J).topRows<3>();
-    block_.carried = global_columns(Q.local, block_.column);
+    block_.carry_t = Q.J_t() * basis.inverse().transpose().leftCols<3>();
   }
 
   /// Only the bearing and the lens move it; the bearing is the point in the world less what the view carries.
-  void reference_pixel(const Sparse<Matrix4X>& Q) {
-    const auto rows = reference_rows(state_, model_, track_, reference_);
-    if (!rows) return lose();
-    block_.cost += 0.5 * model_.loss.loss(rows->r.squaredNorm());
-    const Eigen::Matrix2d scale = rows->root * rows->scale;
-    const Vector2d r = rows->root * rows->r;
-    const Eigen::Matrix2d J_l = scale * rows->image.d_point * plane_across(landmark().bearing_c);
-    Sparse<Matrix2X> A;
-    if (!block_.carried.empty()) A = {Q.local, -J_l * block_.carry.topRows<2>()};
-    A.append(columns_.camera(reference_.sighting->camera).intrinsics, (scale * rows->image.d_params).eval());
-    add(A, r);
-    for (std::size_t i = 0; i < A.local.size(); ++i) {
-      block_.W.col(A.local[i]).head<2>() += J_l.transpose() * A.J.col(static_cast<Eigen::Index>(i));
+  void reference_row(Eigen::Index columns, Eigen::Index knots) {
+    const std::optional<Eigen::Matrix2d> kept = whitening_of(track_, 0);
+    const auto pixel =
+        reference_pixel(state_, model_, track_, reference_, weights_ == Weights::kKept ? &kept : nullptr);
+    if (!pixel) return lose(0);
+    take(0, pixel->seen);
+    const Eigen::Matrix2d scale = pixel->seen.root * pixel->seen.scale;
+    const Vector2d r = pixel->seen.root * pixel->seen.r;
+    const Eigen::Matrix2d J_l = scale * pixel->d_bearing * plane_across(landmark().bearing_c);
+    ViewRows<2> A;
+    A.start(knots, columns);
+    if (block_.carry_t.size() > 0) A.storage.topRows(columns) = -block_.carry_t.leftCols<2>() * J_l.transpose();
+    if (camera(0).intrinsics >= 0) {
+      A.storage.middleRows(knots + intrinsics_after(camera(0)), pixel->d_lens.cols()) +=
+          (scale.lazyProduct(pixel->d_lens)).transpose();
     }
-    block_.H.topLeftCorner<2, 2>() += J_l.transpose() * J_l;
-    block_.g.head<2>() += J_l.transpose() * r;
+    views_.add(track_.sightings.front().camera, local_.first_knot(0), A, A);
+    local_.add(0, A, r, block_.g);
+    auto W_t = block_.W_t.leftCols<2>();
+    local_.add(0, A, J_l, W_t);
+    block_.H_l.topLeftCorner<2, 2>() += J_l.transpose() * J_l;
+    block_.g_l.head<2>() += J_l.transpose() * r;
   }
 
-  bool wants_beyond_infinity() const { return landmark().inverse_distance <= 0.0 && block_.g(n_ - 1) > 0.0; }
+  bool wants_beyond_infinity() const { return landmark().inverse_distance <= 0.0 && block_.g_l(n_ - 1) > 0.0; }
 
   /// A point at infinity that wants to go beyond stays there: its inverse distance is no unknown of this step.
   void hold_at_infinity() {
     const Eigen::Index rho = n_ - 1;
-    block_.W.row(rho).setZero();
-    block_.H.row(rho).setZero();
-    block_.H.col(rho).setZero();
-    block_.H(rho, rho) = 1.0;
-    block_.g(rho) = 0.0;
+    block_.W_t.col(rho).setZero();
+    block_.H_l.row(rho).setZero();
+    block_.H_l.col(rho).setZero();
+    block_.H_l(rho, rho) = 1.0;
+    block_.g_l(rho) = 0.0;
   }
 
   const State& state_;
+  const std::vector<CameraColumns>& cameras_;
+  const TrackColumns& local_;
   const TrackModel& model_;
   const Track& track_;
-  Skyline& system_;
-  Eigen::VectorXd& gradient_;
-  TrackColumns columns_;
+  Weights weights_;
+  ViewSums& views_;
   Reference reference_;
   Eigen::Index n_;
   TrackBlock block_;
-  Eigen::Matrix<double, 4, Eigen::Dynamic> C_;
-  std::vector<int> global_;  ///< with A_t_, room for rows
-  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostColumns, 2> A_t_;
+  Eigen::Matrix<double, Eigen::Dynamic, 4> C_;
   Eigen::Matrix4d S_ = Eigen::Matrix4d::Zero();
   Eigen::Vector4d s_ = Eigen::Vector4d::Zero();
 };
@@ -154,45 +158,33 @@ void whiten(const State& state, Track& track) {
   track.whitening.resize(track.sightings.size());
   for (std::size_t i = 0; i < track.sightings.size(); ++i) {
     const Sighting& s = track.sightings[i];
-    const Camera& camera = state.rig.cameras[s.camera];
-    const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, false);
-    track.whitening[i] = line_whitening(camera, at.T_w_b, at.twist_b, point);
+    const PoseSample at = state.curve->sample(instant_of(state, s), false);
+    track.whitening[i] = line_whitening(state.rig.cameras[s.camera], at.T_w_b, at.twist_b, point);
   }
 }
 
 TrackResiduals evaluate_track(const State& state, const TrackModel& model, const Track& track) {
-  const Reference reference = reference_of(state, track, false);
+  const Sighting& reference = track.sightings.front();
+  const HomogeneousPoint point =
+      anchored_point(state.rig.cameras[reference.camera], state.curve->pose(instant_of(state, reference)),
+                     state.landmarks[track.landmark]);
   TrackResiduals out;
   out.r.assign(track.sightings.size(), Vector2d::Zero());
-  const auto take = [&](std::size_t i, const Vector2d& r) {
-    out.r[i] = r;
-    out.cost += 0.5 * model.loss.loss(r.squaredNorm());
-  };
-  const auto lose = [&] {
-    ++out.lost;
-    out.cost += lost_cost(model);
-  };
-  for (std::size_t i = 1; i < track.sightings.size(); ++i) {
+  for (std::size_t i = model.unknowns == LandmarkUnknowns::kPoint ? 0 : 1; i < track.sightings.size(); ++i) {
     const Sighting& s = track.sightings[i];
-    const Camera& camera = state.rig.cameras[s.camera];
-    const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, false);
-    const auto seen = see(state, model, track, i, at, reference.anchor.point);
-    seen ? take(i, seen->r) : lose();
-  }
-  if (model.unknowns == LandmarkUnknowns::kPoint) {
-    const auto rows = reference_rows(state, model, track, reference);
-    rows ? take(0, rows->r) : lose();
+    const auto whitening = whitening_of(track, i);
+    const auto px = whitening ? reproject(state.rig.cameras[s.camera], state.curve->pose(instant_of(state, s)), point)
+                              : std::nullopt;
+    if (px) out.r[i] = *whitening * (*px - s.px) / model.sigma_px[s.camera];
+    if (!px) ++out.lost;
+    out.cost += px ? 0.5 * model.loss.loss(out.r[i].squaredNorm()) : lost_cost(model);
   }
   return out;
 }
 
-std::vector<int> columns_of(const State& state, const Columns& columns, const Track& track) {
-  return TrackColumns(state, columns, track).column();
-}
-
-TrackBlock linearize_track(const State& state, const Columns& columns, const TrackModel& model, const Track& track,
-                           Skyline& system, Eigen::VectorXd& gradient) {
-  return TrackLinearizer(state, columns, model, track, system, gradient).run();
+TrackBlock linearize_track(const State& state, const Columns& columns, const TrackColumns& local,
+                           const TrackModel& model, const Track& track, Weights weights, ViewSums& views) {
+  return TrackLinearizer(state, columns, local, model, track, weights, views).run();
 }
 
 InverseDepthLandmark moved(const InverseDepthLandmark& landmark, const TrackModel& model, const Vector3d& delta) {

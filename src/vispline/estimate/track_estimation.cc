@@ -175,7 +175,7 @@ class TrackEstimator {
       const Camera& camera = state_.rig.cameras[reference.camera];
       InverseDepthLandmark landmark{*camera.lens.unproject(reference.px), kLeastInverse};
       if (start.point_w[t]) {
-        const Pose T_w_b = state_.curve->pose({reference.stamp, camera.delay_s(reference.px)}, false).T_w_b;
+        const Pose T_w_b = state_.curve->pose({reference.stamp, camera.delay_s(reference.px)});
         const Vector3d point_c = camera.T_c_b * (T_w_b.inverse() * Vector3d(level * *start.point_w[t]));
         const double depth = point_c.dot(landmark.bearing_c);
         if (depth > 0.0) landmark.inverse_distance = std::clamp(1.0 / point_c.norm(), kLeastInverse, kMostInverse);
@@ -222,7 +222,7 @@ class TrackEstimator {
     const Time middle = used_.begin + (used_.end - used_.begin) / 2;
     const auto* gravity = find_parameters(problem.parameters, "gravity.direction").front();
     problem.measurements.push_back(
-        gauge_measurement({middle, start.curve->pose({middle}, false).T_w_b, gravity->treatment.role != Role::kFixed}));
+        gauge_measurement({middle, start.curve->pose({middle}), gravity->treatment.role != Role::kFixed}));
     add_bias_walks(problem);
     add_smoothness(problem);
     add_priors(problem);

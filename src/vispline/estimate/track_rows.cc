@@ -1,5 +1,6 @@
 #include "vispline/estimate/track_rows.h"
 
+#include "vispline/estimate/track_columns.h"
 #include "vispline/estimate/track_kernel.h"
 
 namespace vispline {
@@ -7,59 +8,79 @@ namespace {
 
 using namespace track_kernel;
 
-/// The columns of A, then those of Q that A does not have; where both have one, the sum.
-void set_columns(const std::vector<int>& global_A, const Eigen::Ref<const Eigen::MatrixXd>& A,
-                 const std::vector<int>& global_Q, const Eigen::Ref<const Eigen::MatrixXd>& Q, SightingRows& rows) {
-  rows.column = global_A;
-  rows.J.setZero(2, A.cols() + Q.cols());
-  rows.J.leftCols(A.cols()) = A;
-  for (std::size_t i = 0; i < global_Q.size(); ++i) {
-    const auto found = std::find(rows.column.begin(), rows.column.end(), global_Q[i]);
-    const auto at = static_cast<Eigen::Index>(found - rows.column.begin());
-    if (found == rows.column.end()) rows.column.push_back(global_Q[i]);
-    rows.J.col(at) += Q.col(static_cast<Eigen::Index>(i));
-  }
-  rows.J.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(rows.column.size()));
+void set_residual(const std::optional<Seen>& seen, SightingRows& rows) {
+  rows.lost = !seen;
+  rows.r = seen ? seen->r : Vector2d(Vector2d::Zero());
+  rows.weight = seen ? seen->root * seen->root : 0.0;
 }
+
+class SightingsLinearizer {
+ public:
+  SightingsLinearizer(const State& state, const Columns& columns, const TrackModel& model, const Track& track,
+                      const Reference& reference)
+      : state_(state),
+        cameras_(columns.parameters.cameras),
+        model_(model),
+        track_(track),
+        reference_(reference),
+        local_(state, columns, track),
+        Q_(rows_of(reference, model, camera(0))),
+        Q_l_(landmark_columns(reference.anchor, model, state.landmarks[track.landmark].bearing_c)),
+        reference_columns_(local_.columns_of(0)) {}
+
+  void view(std::size_t i, const PoseSample& at, const Seen& seen, SightingRows& rows) const {
+    const ViewRows<2> A = rows_of(state_, camera(i), track_.sightings[i], at, seen, 1.0);
+    const Eigen::Matrix<double, 2, 4> q = seen.scale * seen.image.d_point;
+    rows.column = local_.columns_of(i);
+    rows.column.insert(rows.column.end(), reference_columns_.begin(), reference_columns_.end());
+    rows.J.resize(2, A.size + Q_.size);
+    rows.J.leftCols(A.size) = A.J_t().transpose();
+    rows.J.rightCols(Q_.size) = Q_.J_t().lazyProduct(q.transpose()).transpose();
+    rows.J_landmark.leftCols(model_.size()) = q * Q_l_;
+  }
+
+  /// Only the bearing and the lens move the reference pixel.
+  void reference_view(const ReferencePixel& pixel, SightingRows& rows) const {
+    rows.J_landmark.leftCols<2>() =
+        pixel.seen.scale * pixel.d_bearing * plane_across(state_.landmarks[track_.landmark].bearing_c);
+    rows.column.clear();
+    if (camera(0).intrinsics < 0) return;
+    for (int i = 0; i < static_cast<int>(pixel.d_lens.cols()); ++i) rows.column.push_back(camera(0).intrinsics + i);
+    rows.J = pixel.seen.scale * pixel.d_lens;
+  }
+
+ private:
+  const CameraColumns& camera(std::size_t i) const { return cameras_[track_.sightings[i].camera]; }
+
+  const State& state_;
+  const std::vector<CameraColumns>& cameras_;
+  const TrackModel& model_;
+  const Track& track_;
+  const Reference& reference_;
+  TrackColumns local_;
+  ViewRows<4> Q_;
+  LandmarkRows Q_l_;
+  std::vector<int> reference_columns_;
+};
 
 }  // namespace
 
-std::vector<SightingRows> linearize_sightings(const State& state, const Columns& columns, const TrackModel& model,
-                                              const Track& track) {
-  const TrackColumns local(state, columns, track);
-  const Reference reference = reference_of(state, track, true);
-  const InverseDepthLandmark& landmark = state.landmarks[track.landmark];
-  const Sparse<Matrix4X> Q = reference_columns(reference, model, local);
-  const LandmarkRows Q_l = landmark_columns(reference.anchor, model, landmark.bearing_c);
-  const std::vector<int> global_Q = global_columns(Q.local, local.column());
-  std::vector<SightingRows> all(track.sightings.size());
+void evaluate_sightings(const State& state, const Columns& columns, const TrackModel& model, const Track& track,
+                        bool derivatives, std::vector<SightingRows>& all) {
+  const Reference reference = reference_of(state, track, derivatives);
+  std::optional<SightingsLinearizer> linearizer;
+  if (derivatives) linearizer.emplace(state, columns, model, track, reference);
+  all.resize(track.sightings.size());
   for (std::size_t i = 1; i < all.size(); ++i) {
-    const Sighting& s = track.sightings[i];
-    const Camera& camera = state.rig.cameras[s.camera];
-    const PoseSample at = state.curve->pose({s.stamp, camera.delay_s(s.px)}, true);
-    auto seen = see(state, model, track, i, at, reference.anchor.point);
-    all[i].lost = !seen;
-    if (!seen) continue;
-    all[i].r = seen->r;
-    all[i].weight = seen->root * seen->root;
-    seen->root = 1.0;
-    const Sparse<Matrix2X> A = sighting_columns(camera, s, at, *seen, local);
-    const Eigen::Matrix<double, 2, 4> q = seen->scale * seen->image.d_point;
-    set_columns(global_columns(A.local, local.column()), A.J, global_Q, q * Q.J, all[i]);
-    all[i].J_landmark.leftCols(model.size()) = q * Q_l;
+    const PoseSample at = state.curve->sample(instant_of(state, track.sightings[i]), derivatives);
+    const auto seen = see(state, model, track.sightings[i], at, reference.anchor.point, nullptr);
+    set_residual(seen, all[i]);
+    if (seen && derivatives) linearizer->view(i, at, *seen, all[i]);
   }
-  if (model.unknowns == LandmarkUnknowns::kInverseDepth) return all;
-  const auto rows = reference_rows(state, model, track, reference);
-  all[0].lost = !rows;
-  if (!rows) return all;
-  all[0].r = rows->r;
-  all[0].weight = rows->root * rows->root;
-  all[0].J_landmark.leftCols<2>() = rows->scale * rows->image.d_point * plane_across(landmark.bearing_c);
-  Sparse<Matrix2X> A;
-  A.append(local.camera(track.sightings[0].camera).intrinsics, (rows->scale * rows->image.d_params).eval());
-  all[0].column = global_columns(A.local, local.column());
-  all[0].J = A.J;
-  return all;
+  if (model.unknowns == LandmarkUnknowns::kInverseDepth) return;
+  const auto pixel = reference_pixel(state, model, track, reference, nullptr);
+  set_residual(pixel ? std::optional(pixel->seen) : std::nullopt, all[0]);
+  if (pixel && derivatives) linearizer->reference_view(*pixel, all[0]);
 }
 
 }  // namespace vispline

@@ -5,18 +5,20 @@
 
 namespace vispline {
 
-/// One sighting: residual in sigmas and its derivatives. A column of the system stands once in `column`.
+/// One sighting: residual in sigmas and its derivatives.
 struct SightingRows {
   Vector2d r = Vector2d::Zero();
   double weight = 1.0;  ///< rho' of the robust loss
-  std::vector<int> column{};
+  std::vector<int>
+      column{};  ///< of the view, then of the reference view: where one stands twice, its derivatives add up
   Eigen::Matrix<double, 2, Eigen::Dynamic> J{};
   Eigen::Matrix<double, 2, 3> J_landmark = Eigen::Matrix<double, 2, 3>::Zero();  ///< the first size() columns count
   bool lost = false;  ///< cannot be predicted here: no rows, the cost of a lost reading
 };
 
-/// One for each sighting; that of an exact reference pixel has no columns.
-std::vector<SightingRows> linearize_sightings(const State& state, const Columns& columns, const TrackModel& model,
-                                              const Track& track);
+/// Sets one for each sighting, whitened by the state itself; that of an exact reference pixel has no columns. Without
+/// `derivatives` all J are those of before.
+void evaluate_sightings(const State& state, const Columns& columns, const TrackModel& model, const Track& track,
+                        bool derivatives, std::vector<SightingRows>& all);
 
 }  // namespace vispline

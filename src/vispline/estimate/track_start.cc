@@ -8,6 +8,7 @@
 #include "vispline/core/rn.h"
 #include "vispline/core/so3.h"
 #include "vispline/estimate/plane_across.h"
+#include "vispline/estimate/skyline.h"
 #include "vispline/trajectory/spline.h"
 
 namespace vispline {
@@ -196,9 +197,9 @@ class LinearStart {
     for (const Point& point : points) {
       if (point.column.empty()) continue;
       const Matrix3d L_inverse = Eigen::LLT<Matrix3d>(point.H).matrixL().solve(Matrix3d(Matrix3d::Identity()));
-      const Eigen::MatrixXd P = L_inverse * point.W;
-      panel.add(point.column, P);
-      const Eigen::VectorXd p = P.transpose() * (L_inverse * point.g);
+      const Eigen::MatrixXd P_t = (L_inverse * point.W).transpose();
+      panel.add(point.column, P_t);
+      const Eigen::VectorXd p = P_t * (L_inverse * point.g);
       for (std::size_t i = 0; i < point.column.size(); ++i) g(point.column[i]) -= p(static_cast<Eigen::Index>(i));
     }
     panel.flush();

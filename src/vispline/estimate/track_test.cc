@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "vispline/estimate/estimate_testing.h"
+#include "vispline/estimate/track_columns.h"
+#include "vispline/estimate/view_sums.h"
 
 namespace vispline {
 namespace {
@@ -21,8 +23,7 @@ struct Example {
     const Camera& camera = state.rig.cameras[0];
     Track track{0, {{0, time_from_ns(200'000'000), {300.0, 220.0}}}};
     state.landmarks.push_back({*camera.lens.unproject(track.sightings[0].px), 0.4});
-    const Pose T_w_b =
-        state.curve->pose({track.sightings[0].stamp, camera.delay_s(track.sightings[0].px)}, false).T_w_b;
+    const Pose T_w_b = state.curve->pose({track.sightings[0].stamp, camera.delay_s(track.sightings[0].px)});
     const HomogeneousPoint point = state.landmarks[0].in_world(T_w_b * camera.T_c_b.inverse());
     for (int i = 1; i < 9; ++i)
       track.sightings.push_back(see(state, i % 2, time_from_ns(200'000'000 + 90'500'000L * i), point));
@@ -34,7 +35,7 @@ struct Example {
     const Camera& camera = state.rig.cameras[c];
     Vector2d px(300.0, 240.0);
     for (int i = 0; i < 50; ++i) {
-      const Pose T_w_b = state.curve->pose({stamp, camera.delay_s(px)}, false).T_w_b;
+      const Pose T_w_b = state.curve->pose({stamp, camera.delay_s(px)});
       px = *camera.lens.project(point.seen_from(T_w_b * camera.T_c_b.inverse()));
     }
     return {c, stamp, px};
@@ -62,13 +63,17 @@ void expect_normal_equations(const Example& e) {
   }
   const Eigen::MatrixXd expected = J.transpose() * J;
 
-  Skyline H(n);
-  H.couple(columns_of(e.problem.start, e.columns, e.problem.tracks[0]));
-  H.allocate();
-  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
+  const Track& track = e.problem.tracks[0];
+  const TrackColumns local(e.problem.start, e.columns, track);
+  ViewSums views(e.problem.start, e.columns);
   const TrackBlock block =
-      linearize_track(e.problem.start, e.columns, e.problem.track_model, e.problem.tracks[0], H, g);
+      linearize_track(e.problem.start, e.columns, local, e.problem.track_model, track, Weights::kKept, views);
   EXPECT_LT(block.cost, 1e-12);
+  Skyline H(n);
+  H.couple(block.column);
+  H.allocate();
+  views.add_to(H);
+  if (block.C.size() > 0) H.add_products(block.column, block.C, block.reference, block.Q);
   Eigen::MatrixXd found = Eigen::MatrixXd::Zero(n + size, n + size);
   for (int r = 0; r < n; ++r) {
     for (int c = 0; c <= r; ++c) {
@@ -77,14 +82,14 @@ void expect_normal_equations(const Example& e) {
     }
   }
   for (std::size_t c = 0; c < block.column.size(); ++c) {
-    found.block(n, block.column[c], size, 1) += block.W.col(static_cast<Eigen::Index>(c));
+    found.block(n, block.column[c], size, 1) += block.W_t.row(static_cast<Eigen::Index>(c)).transpose();
   }
-  found.bottomRightCorner(size, size) = block.H.topLeftCorner(size, size);
+  found.bottomRightCorner(size, size) = block.H_l.topLeftCorner(size, size);
   // A step of the track's landmark is in the world: back to the landmark's own.
   found = Eigen::MatrixXd(found.selfadjointView<Eigen::Lower>());
   Eigen::MatrixXd own = Eigen::MatrixXd::Identity(n + size, n + size);
-  for (std::size_t c = 0; c < block.carried.size(); ++c) {
-    own.block(n, block.carried[c], size, 1) += block.carry.col(static_cast<Eigen::Index>(c));
+  for (std::size_t c = 0; block.carry_t.size() > 0 && c < block.reference.size(); ++c) {
+    own.block(n, block.reference[c], size, 1) += block.carry_t.row(static_cast<Eigen::Index>(c)).transpose();
   }
   found = (own.transpose() * found * own).eval();
   const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt().cwiseMax(1.0);

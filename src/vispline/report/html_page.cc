@@ -132,7 +132,13 @@ void write(const Figure& figure, Markup& html) {
 }
 
 void write(const HeatMap& map, Markup& html) {
-  html.open("figure").newline().open("div", {{"class", "scroll"}}).newline().verbatim(render_svg(map)).close().newline();
+  html.open("figure")
+      .newline()
+      .open("div", {{"class", "scroll"}})
+      .newline()
+      .verbatim(render_svg(map))
+      .close()
+      .newline();
   if (!map.caption.empty()) html.element("figcaption", map.caption);
   html.close().newline();
 }

@@ -20,7 +20,7 @@ struct Kinematics {
 /// Everything about one instant that the values and the Jacobians share. With A_j = exp(lambda_j d_j) and the tail
 /// B_j = A_{j+1} ... A_{K-1}, each increment is carried to the final body frame once, s_j = Ad(B_j^-1) d_j; there the
 /// recursions for velocity and acceleration are plain prefix sums.
-template <class G, int K, class T = double>
+template <class G, int K, class T = double, int kDerivatives = 2>
 struct CumulativePoint {
   static constexpr std::size_t kIncrements = K - 1;
   using Element = typename G::template Element<T>;
@@ -30,7 +30,7 @@ struct CumulativePoint {
   Element rest;                           ///< A_1 ... A_{K-1}: the curve is first * rest
   std::array<Element, kIncrements> tail;  ///< B_j, j = 1..K-1; the last is the identity
   std::array<Tangent, kIncrements> s;     ///< s_j
-  std::array<Tangent, K> V_sum, dV_sum;   ///< prefix sums: [j] holds the first j increments
+  std::array<Tangent, K> V_sum, dV_sum;   ///< prefix sums: [j] holds the first j increments; dV from 2 derivatives on
   const CumulativeBasis<K, T>& basis;
 
   /// d: the K-1 increments log(X_{j-1}^-1 X_j) after the knot `first`.
@@ -46,9 +46,10 @@ struct CumulativePoint {
     rest = product;
     X = G::template compose<T>(first, rest);
     V_sum[0].setZero();
+    for (std::size_t j = 0; j < kIncrements; ++j) V_sum[j + 1] = V_sum[j] + b.d1[j] * s[j];
+    if constexpr (kDerivatives < 2) return;
     dV_sum[0].setZero();
     for (std::size_t j = 0; j < kIncrements; ++j) {
-      V_sum[j + 1] = V_sum[j] + b.d1[j] * s[j];
       dV_sum[j + 1] = dV_sum[j] + b.d1[j] * G::template bracket<T>(V_sum[j + 1], s[j]) + b.d2[j] * s[j];
     }
   }

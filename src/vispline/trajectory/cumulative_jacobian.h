@@ -42,19 +42,20 @@ void to_knots(const typename G::template Operator<double>& D, const KnotPair<G>&
 }  // namespace detail
 
 /// Forward: all blocks.
-template <class G, int K, int kDerivatives = 2>
-CumulativeJacobian<G, K> cumulative_jacobian(const CumulativePoint<G, K>& point, const KnotPair<G>* pairs) {
+template <class G, int K, int kDerivatives = 2, int kOfPoint = 2>
+CumulativeJacobian<G, K> cumulative_jacobian(const CumulativePoint<G, K, double, kOfPoint>& point,
+                                             const KnotPair<G>* pairs) {
   using Operator = typename G::template Operator<double>;
   CumulativeJacobian<G, K> J;
   const auto& basis = point.basis;
   const Operator I = G::template identity_operator<double>();
   const auto ad_times = [](const auto& x, const Operator& M) { return G::template ad_times<double>(x, M); };
-  J.X[0] = G::template Ad<double>(G::template inverse<double>(point.rest));
-  J.V[0] = J.dV[0] = 0.0 * I;
+  J.X[0] = G::template Ad_inverse<double>(point.rest);
+  if constexpr (kDerivatives >= 1) J.V[0] = J.dV[0] = 0.0 * I;
   for (std::size_t j = 0; j + 1 < K; ++j) {
     const bool last = j + 2 == K;
     const Operator M = basis.value[j] * G::template left_jacobian<double>(-basis.value[j] * pairs[j].d);
-    const Operator S = last ? I : G::template Ad<double>(G::template inverse<double>(point.tail[j]));
+    const Operator S = last ? I : G::template Ad_inverse<double>(point.tail[j]);
     const Operator P = last ? M : Operator(S * M);
     detail::to_knots<G>(P, pairs[j], J.X[j], J.X[j + 1]);
     if constexpr (kDerivatives >= 1) {
@@ -80,14 +81,14 @@ std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
   using RowBlock = Eigen::Matrix<double, kRows, G::kDof>;
   std::array<RowBlock, K> blocks;
   const auto& basis = point.basis;
-  blocks[0] = L_X * G::template Ad<double>(G::template inverse<double>(point.rest));
+  blocks[0] = L_X * G::template Ad_inverse<double>(point.rest);
   for (std::size_t j = 0; j + 1 < K; ++j) {
     const RowBlock L_DV = L_V - G::times_ad(L_dV, typename G::template Tangent<double>(point.V() - point.V_sum[j]));
     RowBlock L_P = L_X;
     if (j > 0) L_P += G::times_ad(L_DV, point.V_sum[j]) + G::times_ad(L_dV, point.dV_sum[j]);
     RowBlock L_S = basis.d1[j] * (L_DV + G::times_ad(L_dV, point.V_sum[j + 1])) + basis.d2[j] * L_dV;
     if (j + 2 < K) {
-      const auto S = G::template Ad<double>(G::template inverse<double>(point.tail[j]));
+      const auto S = G::template Ad_inverse<double>(point.tail[j]);
       L_P = (L_P * S).eval();
       L_S = (L_S * S).eval();
     }

@@ -27,6 +27,9 @@ struct BodyFrame<SE3> {
     return {X.R, X.p, X.R * v, w, X.R * (dV.template head<3>() + w.cross(v)), dV.template tail<3>()};
   }
 
+  /// Velocity and angular rate, both in the body's frame.
+  static Vector6d twist(const Pose& /*X*/, const Vector6d& V) { return V; }
+
   /// Time derivative of the state, in its tangent.
   static BodyTangent rate(const Kinematics<SE3>& k) {
     const Vector3d v = k.V.head<3>(), w = k.V.tail<3>(), dv = k.dV.head<3>(), dw = k.dV.tail<3>();
@@ -58,6 +61,10 @@ struct BodyFrame<SplitPose> {
   template <class T>
   static BodyStateT<T> state(const PoseT<T>& X, const Vector6<T>& V, const Vector6<T>& dV) {
     return {X.R, X.p, V.template head<3>(), V.template tail<3>(), dV.template head<3>(), dV.template tail<3>()};
+  }
+
+  static Vector6d twist(const Pose& X, const Vector6d& V) {
+    return (Vector6d() << X.R.transpose() * V.head<3>(), V.tail<3>()).finished();
   }
 
   static BodyTangent rate(const Kinematics<SplitPose>& k) {

@@ -71,8 +71,8 @@ class Spline {
     const std::int64_t offset = (time - begin_).count();
     const auto last = static_cast<std::int64_t>(knots_.size()) - K;
     const std::int64_t near = std::clamp(offset / spacing_.count(), std::int64_t{0}, last);
-    const double u = (static_cast<double>(offset - near * spacing_.count()) + extra_s * 1e9) /
-                     static_cast<double>(spacing_.count());
+    const double u =
+        (static_cast<double>(offset - near * spacing_.count()) + extra_s * 1e9) / static_cast<double>(spacing_.count());
     const std::int64_t segment = std::clamp(near + static_cast<std::int64_t>(std::floor(u)), std::int64_t{0}, last);
     return {static_cast<std::size_t>(segment), u - static_cast<double>(segment - near)};
   }
@@ -80,12 +80,13 @@ class Spline {
   CumulativeBasis<K> basis(const Place& place) const { return {place.u, to_seconds(spacing_)}; }
 
   /// The instant that values and Jacobians share; `basis` must outlive it.
-  Point point(const Place& place, const CumulativeBasis<K>& basis) const {
-    return Point(knots_[place.first], increments(place.first), basis);
+  template <int kDerivatives = 2>
+  CumulativePoint<G, K, double, kDerivatives> point(const Place& place, const CumulativeBasis<K>& basis) const {
+    return {knots_[place.first], increments(place.first), basis};
   }
 
-  Element element(Time time) const {
-    const Place place = locate(time);
+  Element element(Time time) const { return element(locate(time)); }
+  Element element(const Place& place) const {
     return cumulative_element<G, K, double>(knots_[place.first], increments(place.first), basis(place));
   }
 
