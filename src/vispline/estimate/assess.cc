@@ -5,6 +5,7 @@
 
 #include "vispline/estimate/estimated_parameters.h"
 #include "vispline/estimate/gradient_check.h"
+#include "vispline/estimate/held_parameters.h"
 #include "vispline/estimate/observability.h"
 #include "vispline/estimate/residual_statistics.h"
 #include "vispline/results/table.h"
@@ -20,6 +21,7 @@ constexpr double kMostLost = 0.01;
 constexpr double kLeastDof = 10.0;
 constexpr double kMostCorrelated = 0.1;
 constexpr double kMostDrifting = 0.5;  // of consecutive residuals that are also larger than the rig says
+constexpr double kMostHeld = 0.5;     // of the squared residuals, by one parameter
 constexpr double kLeastCurvature = 0.8, kMostCurvature = 1.25;
 
 std::string text(double value) { return number_text(value, 3); }
@@ -28,6 +30,8 @@ std::string text(double value) { return number_text(value, 3); }
 bool is_white(const SensorResiduals& r) {
   return r.dof < kLeastDof || (r.lag1 >= r.lag1_low - kMostCorrelated && r.lag1 <= r.lag1_high + kMostCorrelated);
 }
+
+std::string percent(double share) { return text(100.0 * share) + " %"; }
 
 class Judge {
  public:
@@ -98,6 +102,11 @@ class Judge {
                                   " readings cannot be predicted at the solution");
       }
     }
+    if (!result_.held.empty() && result_.held.front().share > kMostHeld) {
+      const HeldParameter& worst = result_.held.front();
+      result_.reasons.push_back(worst.name + " is held; free it would take " + percent(worst.share) +
+                                " off the squared residuals");
+    }
     if (!options_.time_offset_bound_s) return;
     for (const EstimatedParameter& p : result_.parameters) {
       if (!p.name.ends_with("time_offset")) continue;
@@ -148,6 +157,20 @@ std::string remedy_of(const std::string& sensor) {
   if (sensor.ends_with(".gyroscope")) return closer + "a bias that walks: --bias-walk 1";
   if (sensor.starts_with("reference")) return closer + "poses that were not smoothed";
   return closer + "another model of the lens: --free " + sensor + ".intrinsics";
+}
+
+void warn_of_held(CalibrationResult& result) {
+  constexpr std::size_t kMost = 4;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kMost, result.held.size()); ++i) {
+    names += (names.empty() ? "" : ", ") + result.held[i].name + " (" + percent(result.held[i].share) + ")";
+  }
+  if (names.empty()) return;
+  result.diagnostics.add({.code = "W-HELD",
+                          .message = "held, but free would take so much off the squared residuals: " + names,
+                          .where = "",
+                          .effect = "what is estimated bends to the values they are held at",
+                          .next = "--free " + result.held.front().name + ", or hold it at a better value"});
 }
 
 void warn(CalibrationResult& result) {
@@ -201,7 +224,9 @@ CalibrationResult assess(const Problem& problem, const Solution& solution, const
       result.curvature_low = check.curvature_low;
       result.curvature_high = check.curvature_high;
     }
+    if (solution.full_rank) result.held = held_parameters(problem, solution, options.threads);
     warn(result);
+    warn_of_held(result);
   }
   result.result_class = Judge(solution, options, result).judge();
   return result;

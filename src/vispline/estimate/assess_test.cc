@@ -124,6 +124,32 @@ TEST(Assess, WhatNothingMeasuresIsNamed) {
   EXPECT_FALSE(result.weak[0].measured);
 }
 
+Parameter& parameter(SmallCalibration& calibration, const std::string& name) {
+  return *find_parameters(calibration.problem.parameters, name).front();
+}
+
+/// A held offset that is 2 ms wrong: the residuals tell which one, and where it should go.
+TEST(Assess, HeldParameterThatIsWrong) {
+  SmallCalibration calibration({});
+  const double truth_s = calibration.truth.rig.cameras[0].time_offset_s;
+  parameter(calibration, "cam0.time_offset").treatment.role = Role::kFixed;
+  calibration.problem.start.rig.cameras[0].time_offset_s = truth_s + 2e-3;
+  const CalibrationResult result = result_of(calibration);
+  ASSERT_FALSE(result.held.empty());
+  const HeldParameter& worst = result.held.front();
+  EXPECT_EQ(worst.name, "cam0.time_offset");
+  EXPECT_GT(worst.share, 0.1);
+  ASSERT_EQ(worst.change.size(), 1u);
+  EXPECT_NEAR(worst.change[0], -2e-3, 4.0 * worst.sigma[0] + 1e-4);
+  EXPECT_EQ(result.diagnostics.counts().at("W-HELD"), 1);
+}
+
+TEST(Assess, HeldParametersThatAreRightAreNotNamed) {
+  SmallCalibration calibration({});
+  parameter(calibration, "cam0.time_offset").treatment.role = Role::kFixed;
+  EXPECT_TRUE(result_of(calibration).held.empty());
+}
+
 TEST(Assess, SameBytesForAnyThreads) {
   SmallCalibration calibration({});
   const Solution solution = solve(calibration.problem, {});

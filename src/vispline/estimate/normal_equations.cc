@@ -243,4 +243,13 @@ std::optional<Eigen::MatrixXd> NormalEquations::damped_covariance(int n, double 
   return covariance;
 }
 
+std::optional<NormalEquations::Tail> NormalEquations::tail(int n, double lambda) const {
+  const Reduced reduced = reduce(lambda);
+  if (!reduced.positive) return std::nullopt;
+  Tail tail{reduced.H.tail_information(n), {}};
+  tail.gradient = tail.information * reduced.H.solve(reduced.g).bottomRows(n);
+  if (!tail.gradient.allFinite()) return std::nullopt;
+  return tail;
+}
+
 }  // namespace vispline

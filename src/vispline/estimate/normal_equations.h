@@ -46,6 +46,13 @@ class NormalEquations {
   /// As covariance(), of the system damped by lambda (floored where nothing is measured): directions that are not
   /// measured have variances of order 1 / lambda, over the diagonal of the information.
   std::optional<Eigen::MatrixXd> damped_covariance(int n, double lambda) const;
+  /// The last n columns with all else absorbed, of the system damped by lambda: their information, and the gradient that
+  /// is left. Empty if the matrix is not positive definite.
+  struct Tail {
+    Eigen::MatrixXd information{};
+    Eigen::VectorXd gradient{};
+  };
+  std::optional<Tail> tail(int n, double lambda) const;
   /// Where everything moves when the gradient is pushed by each column of `push`: H^-1 push, landmarks eliminated.
   /// Empty if the matrix is not positive definite.
   std::vector<Step> respond(const Eigen::MatrixXd& push) const;

@@ -167,6 +167,11 @@ Eigen::MatrixXd Skyline::tail_of_inverse(int n) const {
   return L_inverse.transpose() * L_inverse;
 }
 
+Eigen::MatrixXd Skyline::tail_information(int n) const {
+  const Eigen::MatrixXd L = tail(n);
+  return L * L.transpose();
+}
+
 ProductPanel::ProductPanel(Skyline& system)
     : system_(system),
       tile_(static_cast<std::size_t>(system.tiles()), Skyline::Tile::Zero()),

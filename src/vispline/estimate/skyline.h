@@ -50,6 +50,8 @@ class Skyline {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
   /// After factor(): the last n rows and columns of the inverse, the covariance of the last n unknowns.
   Eigen::MatrixXd tail_of_inverse(int n) const;
+  /// After factor(): the inverse of that, the last n rows and columns with all others absorbed.
+  Eigen::MatrixXd tail_information(int n) const;
 
  private:
   friend class ProductPanel;

@@ -60,6 +60,7 @@ Section parameter_section(const CalibrationResult& result) {
     for (const std::string& name : result.fixed) names += joined({names.empty() ? "" : ", ", name});
     section.blocks.emplace_back(Paragraph{joined({"Held at their start values: ", names, "."})});
   }
+  if (!result.held.empty()) section.blocks.emplace_back(held_table(result));
   section.blocks.emplace_back(Paragraph{
       "A rotation is printed as its rotation vector; its sigmas are about the axes of the frame at the right of its "
       "name, and its error is the rotation that is left, not a difference of vectors."});

@@ -81,6 +81,25 @@ Table residual_table(const CalibrationResult& result) {
   return table;
 }
 
+Table held_table(const CalibrationResult& result) {
+  Table table{.caption = "Held, though the residuals ask for them: what freeing each alone would take off all squared "
+                         "residuals, and where it would go",
+              .columns = {text("parameter"),
+                          {.header = "less squares", .unit = "%", .numeric = true, .digits = 2},
+                          text("would move by"),
+                          text("unit")}};
+  for (const HeldParameter& held : result.held) {
+    const PeopleUnit unit = people_unit(held.unit, held.name);
+    std::string moves;
+    for (std::size_t i = 0; i < held.change.size(); ++i) {
+      moves += joined({moves.empty() ? "" : ", ", significant(unit.factor * held.change[i], 3), " ± ",
+                       significant(unit.factor * held.sigma[i], 2)});
+    }
+    table.rows.push_back({held.name, 100.0 * held.share, moves, unit.name});
+  }
+  return table;
+}
+
 Table stage_table(const CalibrationResult& result) {
   Table table{.caption = "How the start was found, and the number that each stage had to reach",
               .columns = {text("stage"), text("what"), number("value"), number("limit"), text("unit"), text("")}};

@@ -10,6 +10,7 @@ namespace vispline::report {
 /// value.
 Table parameter_table(const CalibrationResult& result);
 Table residual_table(const CalibrationResult& result);
+Table held_table(const CalibrationResult& result);
 Table stage_table(const CalibrationResult& result);
 Table weak_table(const CalibrationResult& result);
 /// Sigmas beside those of jack-knife and twin. Precondition: one of them is there.

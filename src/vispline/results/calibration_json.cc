@@ -54,6 +54,12 @@ JsonObject to_json(const WeakDirection& weak) {
   return object.set("sigma_per_limit", weak.sigma_limits).set("one_sigma", part);
 }
 
+JsonObject to_json(const HeldParameter& held) {
+  JsonObject object;
+  object.set("name", held.name).set("unit", held.unit).set("share", held.share);
+  return object.set("change", held.change).set("sigma", held.sigma);
+}
+
 JsonObject to_json(const InitialisationStage& stage) {
   JsonObject object;
   object.set("name", stage.name).set("passed", stage.passed).set("value", stage.value).set("limit", stage.limit);
@@ -104,7 +110,7 @@ std::string calibration_json(const CalibrationResult& result, const JsonContext&
   JsonObject document = begin_document("vispline.result/1", context);
   document.set("class", to_name(result.result_class)).set("reasons", result.reasons);
   document.set("parameters", list(result.parameters)).set("fixed", result.fixed);
-  document.set("residuals", list(result.residuals));
+  document.set("held", list(result.held)).set("residuals", list(result.residuals));
   document.set("weak_directions", list(result.weak)).set("initialisation", list(result.stages));
   document.set("correlation", correlation(result)).set("condition", result.condition);
   document.set("gradient_sigmas", result.gradient_sigmas);

@@ -68,6 +68,15 @@ struct WeakDirection {
   std::vector<std::pair<std::string, double>> part{};  ///< component, one sigma along it in the component's unit
 };
 
+/// A parameter that was not estimated, though the residuals ask for it.
+struct HeldParameter {
+  std::string name{};
+  std::string unit{};
+  double share = 0.0;            ///< of all squared residuals, in sigmas, that freeing it would take away
+  std::vector<double> change{};  ///< where it would go from the value it is held at, by one Newton step
+  std::vector<double> sigma{};
+};
+
 /// One step of the initialisation: a number and what it had to reach.
 struct InitialisationStage {
   std::string name{};
@@ -90,6 +99,7 @@ struct CalibrationResult {
   std::vector<std::string> reasons{};  ///< sentences with the numbers that decided the class
   std::vector<EstimatedParameter> parameters{};
   std::vector<std::string> fixed{};               ///< names of what was not estimated
+  std::vector<HeldParameter> held{};              ///< those of them that the residuals object to, the worst first
   std::vector<std::string> correlation_labels{};  ///< "cam0.T_c_i.rotation x"
   Eigen::MatrixXd correlation{};                  ///< empty without full rank
   double condition = 0.0;                         ///< of the correlation matrix

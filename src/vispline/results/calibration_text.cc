@@ -80,6 +80,26 @@ std::string stage_table(const CalibrationResult& result) {
   return table.text();
 }
 
+std::string numbers_text(const std::vector<double>& numbers, double factor) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(factor * number, kSigmaDigits);
+  return text;
+}
+
+std::string held_table(const CalibrationResult& result) {
+  Table table({{"held", Table::Align::kLeft},
+               {"free, less squares"},
+               {"would move by", Table::Align::kLeft},
+               {"sigma", Table::Align::kLeft},
+               {"unit", Table::Align::kLeft}});
+  for (const HeldParameter& held : result.held) {
+    const PeopleUnit unit = people_unit(held.unit, held.name);
+    table.add_row({held.name, number_text(100.0 * held.share, 2) + " %", numbers_text(held.change, unit.factor),
+                   numbers_text(held.sigma, unit.factor), unit.name});
+  }
+  return table.text();
+}
+
 /// Sigmas beside those of the jack-knife and of the twin.
 std::string spread_table(const CalibrationResult& result) {
   const auto& components = result.jackknife ? result.jackknife->components : result.twin->components;
@@ -118,6 +138,7 @@ std::string calibration_text(const CalibrationResult& result) {
   if (!result.stages.empty()) text += "\n" + stage_table(result);
   if (!result.parameters.empty()) text += "\n" + parameter_table(result);
   if (!result.residuals.empty()) text += "\n" + residual_table(result);
+  if (!result.held.empty()) text += "\n" + held_table(result);
   if (!result.weak.empty()) text += "\n";
   for (const WeakDirection& weak : result.weak) {
     text += (weak.measured ? "weak: " : "not measured: ") + weak.words + "; to mend it, " + weak.remedy + "\n";

@@ -1,0 +1,68 @@
+#include "vispline/estimate/held_parameters.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "vispline/estimate/normal_equations.h"
+
+namespace vispline {
+namespace {
+
+constexpr double kLeastGain = 25.0;      // of chi-square: five sigmas of a single number
+constexpr double kLeastShare = 0.005;    // of all of it
+constexpr double kLeastResolved = 1e-6;  // of its information when all else is known
+constexpr double kDamping = 1e-10;       // what the others absorb whole has no information left
+
+using Tail = NormalEquations::Tail;
+
+/// Information and gradient of `wanted`, absorbed by `others` as well.
+Tail absorbed(const Tail& all, const std::vector<int>& wanted, const std::vector<int>& others) {
+  const Eigen::MatrixXd across = all.information(others, wanted);
+  const Eigen::LDLT<Eigen::MatrixXd> known(all.information(others, others));
+  return {all.information(wanted, wanted) - across.transpose() * known.solve(across),
+          all.gradient(wanted) - across.transpose() * known.solve(Eigen::VectorXd(all.gradient(others)))};
+}
+
+std::vector<int> columns_of(const Parameter& parameter, int first) {
+  std::vector<int> columns;
+  for (int i = 0; i < parameter.size; ++i) columns.push_back(parameter.column - first + i);
+  return columns;
+}
+
+}  // namespace
+
+std::vector<HeldParameter> held_parameters(const Problem& problem, const Solution& solution, std::size_t threads) {
+  std::vector<Parameter> all = solution.parameters;
+  for (Parameter& parameter : all) parameter.treatment.role = Role::kFree;
+  const Columns columns = assign_columns(solution.state, all);
+  const NormalEquations equations(problem, solution.state, columns, threads);
+  const int n = columns.layout.parameters(), first = columns.layout.first_parameter;
+  const auto tail = equations.tail(n, kDamping);
+  std::vector<HeldParameter> held;
+  if (!tail) return held;
+  std::vector<int> free;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    if (solution.parameters[p].treatment.role == Role::kFixed) continue;
+    const std::vector<int> own = columns_of(all[p], first);
+    free.insert(free.end(), own.begin(), own.end());
+  }
+  const Eigen::VectorXd alone = equations.diagonal().tail(n);
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    if (solution.parameters[p].treatment.role != Role::kFixed) continue;
+    const std::vector<int> own = columns_of(all[p], first);
+    const Tail left = absorbed(*tail, own, free);
+    const Eigen::VectorXd least = kLeastResolved * alone(own);
+    if ((left.information.diagonal().array() <= least.array()).any()) continue;
+    const Eigen::MatrixXd covariance = left.information.inverse();
+    const Eigen::VectorXd change = -covariance * left.gradient;
+    const double gain = -change.dot(left.gradient), share = gain / (2.0 * solution.cost);
+    if (!(gain > kLeastGain && share > kLeastShare)) continue;
+    const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
+    held.push_back({all[p].name, all[p].unit, share, {change.begin(), change.end()}, {sigma.begin(), sigma.end()}});
+  }
+  std::sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
+  return held;
+}
+
+}  // namespace vispline
