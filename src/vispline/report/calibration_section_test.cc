@@ -29,9 +29,9 @@ std::string page(const CalibrationResult& result) {
 
 TEST(CalibrationSection, SaysWhatMatters) {
   const std::string text = page(vispline::testing::calibration_result());
-  for (const char* expected :
-       {"Class: converged-weak", "is not observable: sigma 0.041 m", "not observable", "turn faster about x and z",
-        "cam0.T_c_i.rotation x", "What to record next", "passed", "From above", "NEES", "jack-knife", "W-CURVATURE"}) {
+  for (const char* expected : {"Class: converged-weak", "is not observable: sigma 0.041 m", "not observable",
+                               "turn faster about x and z", "53.5 ± 0.29", "cam0.T_c_i.rotation x",
+                               "What to record next", "passed", "From above", "NEES", "jack-knife", "W-CURVATURE"}) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected;
   }
   EXPECT_EQ(text.find(">90.0<"), std::string::npos) << "a value that is not observable must not be shown";
