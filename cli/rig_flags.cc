@@ -41,6 +41,9 @@ void RigFlags::add_to(CLI::App& verb) {
   flag("--min-distance", tracks.min_distance_px, not_negative(1e4), "between two features [px]");
   flag("--track-loss", tracks.loss, between(0.0, 1.0), "probability that a track ends before the next image");
   flag("--track-frames", tracks.max_frames, not_negative(), "a track ends after so many images; 0: never");
+  verb.add_flag("--keep-ids", tracks.keep_ids, "a landmark that comes back into sight has its old id")
+      ->group(kFrontEnd)
+      ->needs(option);
   flag("--dropout", features.dropout, between(0.0, 1.0), "probability that a feature is missing in an image");
   flag("--outliers", features.outliers, between(0.0, 1.0), "probability that a feature is displaced");
   flag("--outlier-px", features.outlier_px, not_negative(1e4), "by up to so much [px]");

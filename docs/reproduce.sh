@@ -92,10 +92,10 @@ poor() {
   { head_of_rig; imu imu0 "$2" "$3" "$4" 0; echo "cameras:"
     camera cam0 "$5" "$7" "320, 240" "$6" "${11}" "$8" "$9" "${10}"; } > "$1"
 }
-# record FOLDER SEED DURATION RIG BOARD: the recording D of motion.tum.
+# record FOLDER SEED DURATION RIG BOARD [FLAG]: the recording D of motion.tum.
 record() {
   "$VISPLINE" simulate --trajectory "$1/motion.tum" --start 10 --duration "$3" --rig "$4" --scene "$5" \
-    --min-distance 0 --track-loss 0 --max-features 1000 --seed "$2" --out "$1/D" > /dev/null 2> "$1/simulate.log"
+    --min-distance 0 --track-loss 0 --max-features 1000 ${6:-} --seed "$2" --out "$1/D" > /dev/null 2> "$1/simulate.log"
 }
 # estimated FOLDER NAME START FLAGS...: the estimate NAME; its table is FOLDER/NAME.txt. A class that is not trusted is a
 # result too.
@@ -146,7 +146,7 @@ nominal_data() { # FOLDER SEED
   board 3 0 > "$1/board.csv"
   rig "$1/truth.yaml" $N_IMU $N_CAMERA
   poor "$1/start.yaml" $N_IMU $N_CAMERA 535.5 0.02 "0.0504 -0.0504 0.0504" "0.0289 -0.0289 0.0289" 0.0
-  record "$1" "$2" 25 "$1/truth.yaml" "$1/board.csv"
+  record "$1" "$2" 25 "$1/truth.yaml" "$1/board.csv" --keep-ids
 }
 
 table_convergence() {

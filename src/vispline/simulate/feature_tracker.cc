@@ -36,9 +36,16 @@ bool FeatureTracker::survives(std::size_t camera, std::uint64_t frame, const Tra
   return loss_[camera].uniform_pair(frame * landmarks_ + index)[0] > options_.loss;
 }
 
+std::uint64_t FeatureTracker::id_of(std::size_t index) {
+  if (!options_.keep_ids) return next_id_++;
+  const auto [known, is_new] = id_.try_emplace(index, next_id_);
+  if (is_new) ++next_id_;
+  return known->second;
+}
+
 std::uint64_t FeatureTracker::take(std::size_t index) {
   const auto [held, is_new] = held_.try_emplace(index);
-  if (is_new) held->second.id = next_id_++;
+  if (is_new) held->second.id = id_of(index);
   ++held->second.cameras;
   return held->second.id;
 }

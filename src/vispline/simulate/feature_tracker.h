@@ -20,6 +20,7 @@ struct TrackOptions {
   double min_distance_px = 20.0;   ///< between two features of an image; of two that are nearer the younger one ends
   double loss = 0.02;              ///< probability that a track ends before the next image, though still in sight
   std::size_t max_frames = 0;      ///< a track ends after so many images; 0: never
+  bool keep_ids = false;           ///< a landmark that comes back is recognised: its track goes on under the old id
 };
 
 /// A landmark in sight, by its place in the scene; the id is its own.
@@ -35,7 +36,8 @@ struct TrackedLandmark {
   std::uint64_t id = 0;
 };
 
-/// Follows landmarks from image to image of each camera. A track that ended comes back under a new id; a landmark that
+/// Follows landmarks from image to image of each camera. A track that ended comes back under a new id unless ids are
+/// kept; a landmark that
 /// another camera follows at the moment is taken up under the same id. Deterministic: strength of corners and losses
 /// are functions of (seed, camera, image, landmark).
 class FeatureTracker {
@@ -71,6 +73,7 @@ class FeatureTracker {
 
   Candidates candidates(std::size_t camera, std::uint64_t frame, std::span<const VisibleLandmark> visible) const;
   bool survives(std::size_t camera, std::uint64_t frame, const Track& track, std::size_t index) const;
+  std::uint64_t id_of(std::size_t index);
   std::uint64_t take(std::size_t index);
   void release(std::size_t index);
 
@@ -80,6 +83,7 @@ class FeatureTracker {
   std::vector<RandomStream> loss_;      ///< by camera
   std::vector<Tracks> tracks_;          ///< by camera
   std::map<std::size_t, Shared> held_;  ///< by the index of the landmark
+  std::map<std::size_t, std::uint64_t> id_;  ///< of every landmark that was ever followed, if ids are kept
   std::uint64_t next_id_ = 0;
 };
 

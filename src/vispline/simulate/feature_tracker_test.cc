@@ -77,6 +77,23 @@ TEST(FeatureTracker, AnIdIsOneLandmarkWithoutAGap) {
   EXPECT_GT(returned, 0U) << "a landmark that was lost comes back under a new id";
 }
 
+TEST(FeatureTracker, WithKeptIdsALandmarkHasOneId) {
+  const Followed result = follow({.max_features = 80, .min_distance_px = 15.0, .loss = 0.05, .keep_ids = true});
+  std::map<std::size_t, std::set<std::uint64_t>> ids;
+  std::map<std::uint64_t, std::size_t> last;
+  std::size_t returned = 0;
+  for (std::size_t k = 0; k < result.tracked.size(); ++k) {
+    for (const TrackedLandmark& t : result.tracked[k]) {
+      ids[result.of(k, t).index].insert(t.id);
+      returned += last.contains(t.id) && last[t.id] + 1 < k;
+      last[t.id] = k;
+    }
+  }
+  for (const auto& [index, own] : ids) EXPECT_EQ(own.size(), 1U) << "landmark " << index;
+  EXPECT_EQ(last.size(), ids.size());
+  EXPECT_GT(returned, 0U);
+}
+
 TEST(FeatureTracker, TracksEndAtTheRateThatIsAsked) {
   const double loss = 0.1;
   const Followed result = follow({.max_features = kLandmarks, .min_distance_px = 0.0, .loss = loss}, 200);
