@@ -78,14 +78,14 @@ HandedSighting::HandedSighting(const SightingRows& source, int landmark, Unknown
 }
 
 bool HandedSighting::Evaluate(double const* const* /*x*/, double* residuals, double** jacobians) const {
-  const double root = std::sqrt(source_.weight);
   Eigen::Map<Vector2d> r(residuals);
-  r = root * source_.r;
+  r = source_.r;
   if (jacobians == nullptr) return r.allFinite();
-  hand_out(source_.column, root * source_.J, jacobians);
+  const bool lost = source_.lost;  // its derivatives are those of before
+  hand_out(lost ? std::vector<int>() : source_.column, source_.J, jacobians);
   if (double* J_landmark = jacobians[blocks()]; J_landmark != nullptr) {
     const int size = parameter_block_sizes().back();
-    Eigen::Map<RowMajor>(J_landmark, 2, size) = root * source_.J_landmark.leftCols(size);
+    Eigen::Map<RowMajor>(J_landmark, 2, size) = (lost ? 0.0 : 1.0) * source_.J_landmark.leftCols(size);
   }
   return r.allFinite();
 }
@@ -99,8 +99,7 @@ TrackRemainder::TrackRemainder(const std::vector<SightingRows>& seen, const Trac
 bool TrackRemainder::Evaluate(double const* const* /*x*/, double* residuals, double** jacobians) const {
   double sum = 0.0;
   for (const SightingRows& rows : seen_) {
-    const double s = rows.lost ? kLostSigmas * kLostSigmas : rows.r.squaredNorm();
-    const double e = remainder(0.5 * model_.loss.loss(s), rows.lost ? 0.0 : rows.weight * s);
+    const double e = remainder(0.5 * model_.loss.loss(rows.squares), rows.r.squaredNorm());
     sum += e * e;
   }
   residuals[0] = std::sqrt(sum);

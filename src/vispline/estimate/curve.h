@@ -64,6 +64,10 @@ class Curve {
   virtual Pose pose(const Instant& at) const = 0;
   virtual PoseSample sample(const Instant& at, bool derivatives) const = 0;
 
+  /// Rows of a pixel; d_pose given the pose and its twist.
+  using PixelRows = std::function<Eigen::Matrix<double, 2, 6>(const Pose& T_w_b, const Vector6d& twist_b)>;
+  virtual KnotRows<2> pull_back_pixel(const Instant& at, const PixelRows& d_pose) const = 0;
+
   /// Rows of the six readings of an IMU; d_state given the state and its rate of change.
   using ImuRows = std::function<BodyJacobian<6>(const BodyState&, const BodyTangent& rate)>;
   virtual KnotRows<6> pull_back(const Instant& at, const ImuRows& d_state) const = 0;

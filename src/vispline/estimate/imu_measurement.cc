@@ -26,7 +26,10 @@ struct ImuLocal {
 
 class ImuRows final : public Measurement {
  public:
-  ImuRows(std::string name, const ImuBatch& batch) : name_(std::move(name)), batch_(batch) {}
+  ImuRows(std::string name, const ImuBatch& batch) : name_(std::move(name)), batch_(batch) {
+    const auto per = [](double sigma) { return sigma > 0.0 ? 1.0 / sigma : 0.0; };
+    per_sigma_ << Vector3d::Constant(per(batch.sigma.gyro)), Vector3d::Constant(per(batch.sigma.accel));
+  }
 
   std::vector<std::string> sensors() const override { return {name_ + ".gyroscope", name_ + ".accelerometer"}; }
   std::size_t sensor_of(Eigen::Index row) const override { return row % 6 < 3 ? 0 : 1; }
@@ -94,8 +97,8 @@ class ImuRows final : public Measurement {
     const auto triads = [&](bool gyro, bool accel, double offset_s) {
       const auto d_state = [&](const BodyState& body, const BodyTangent& rate) {
         BodyJacobian<6> L = BodyJacobian<6>::Zero();
-        if (gyro) L.topRows<3>() = per_sigma(0) * gyroscope(body, rate, state, imu, i, local, predicted, rows);
-        if (accel) L.bottomRows<3>() = per_sigma(1) * accelerometer(body, rate, state, imu, i, local, predicted, rows);
+        if (gyro) L.topRows<3>() = per_sigma_(0) * gyroscope(body, rate, state, imu, i, local, predicted, rows);
+        if (accel) L.bottomRows<3>() = per_sigma_(3) * accelerometer(body, rate, state, imu, i, local, predicted, rows);
         return L;
       };
       const KnotRows<6> part = state.curve->pull_back({time(i), offset_s}, d_state);
@@ -112,11 +115,8 @@ class ImuRows final : public Measurement {
     if (local.bias_walk >= 0) {
       const BiasWalk::Place place = state.bias_walks[batch_.imu].locate({time(i)});
       const int node = local.bias_walk + 6 * static_cast<int>(place.first - local.first_node);
-      const Eigen::Array<double, 6, 1> scale = (Eigen::Array<double, 6, 1>() << per_sigma(0), per_sigma(0),
-                                                per_sigma(0), per_sigma(1), per_sigma(1), per_sigma(1))
-                                                   .finished();
-      rows.J.block<6, 6>(6 * i, node).diagonal().array() += (1.0 - place.u) * scale;
-      rows.J.block<6, 6>(6 * i, node + 6).diagonal().array() += place.u * scale;
+      rows.J.block<6, 6>(6 * i, node).diagonal().array() += (1.0 - place.u) * per_sigma_.array();
+      rows.J.block<6, 6>(6 * i, node + 6).diagonal().array() += place.u * per_sigma_.array();
     }
   }
 
@@ -162,7 +162,7 @@ class ImuRows final : public Measurement {
   BodyJacobian<3> gyroscope(const BodyState& body, const BodyTangent& rate, const State& state, const Imu& imu,
                             Eigen::Index i, const ImuLocal& local, Vector6d& predicted, Rows& rows) const {
     const auto l = Gyroscope::linearize(body, rate, imu.gyroscope, state.g_w);
-    const Put put{rows, 6 * i, per_sigma(0)};
+    const Put put{rows, 6 * i, per_sigma_(0)};
     predicted.head<3>() = l.prediction;
     common<Gyroscope>(l, imu.gyroscope.T_b_i, state, local, put);
     put(local.c.gyro_bias, part<Gyroscope>(l, "bias"));
@@ -175,7 +175,7 @@ class ImuRows final : public Measurement {
   BodyJacobian<3> accelerometer(const BodyState& body, const BodyTangent& rate, const State& state, const Imu& imu,
                                 Eigen::Index i, const ImuLocal& local, Vector6d& predicted, Rows& rows) const {
     const auto l = Accelerometer::linearize(body, rate, imu.accelerometer, state.g_w);
-    const Put put{rows, 6 * i + 3, per_sigma(1)};
+    const Put put{rows, 6 * i + 3, per_sigma_(3)};
     predicted.tail<3>() = l.prediction;
     common<Accelerometer>(l, imu.accelerometer.T_b_i, state, local, put);
     put(local.c.accel_time_offset, part<Accelerometer>(l, "time_offset"));
@@ -190,15 +190,10 @@ class ImuRows final : public Measurement {
     rows.r.segment<3>(6 * i + 3) = predicted.tail<3>() - sample(i).accel;
   }
 
-  double per_sigma(int triad) const {
-    const double sigma = triad == 0 ? batch_.sigma.gyro : batch_.sigma.accel;
-    return sigma > 0.0 ? 1.0 / sigma : 0.0;
-  }
-
   void scale_residual(Eigen::Index i, Rows& rows) const {
     for (int triad = 0; triad < 2; ++triad) {
       auto r = rows.r.segment<3>(6 * i + 3 * triad);
-      r *= per_sigma(triad);
+      r *= per_sigma_(3 * triad);
       const double s = r.squaredNorm();
       rows.cost += 0.5 * batch_.loss.loss(s);
       rows.weight.segment<3>(6 * i + 3 * triad).setConstant(batch_.loss.weight(s));
@@ -207,6 +202,7 @@ class ImuRows final : public Measurement {
 
   std::string name_;
   ImuBatch batch_;
+  Vector6d per_sigma_;  ///< zero: not used
 };
 
 }  // namespace

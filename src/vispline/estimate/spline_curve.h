@@ -43,17 +43,20 @@ class SplineCurve final : public Curve {
     return sample;
   }
 
+  KnotRows<2> pull_back_pixel(const Instant& at, const PixelRows& d_pose) const override {
+    const Evaluation<1> e(spline(), at);
+    const Pose& X = e.point.X;
+    const auto L = BodyFrame<G>::pose_rows(X, d_pose(X, BodyFrame<G>::twist(X, e.point.V())));
+    return knot_rows<2>(e.place.first, cumulative_pull_back<G, K, 2>(e.point, &spline().pairs()[e.place.first], L));
+  }
+
   KnotRows<6> pull_back(const Instant& at, const ImuRows& d_state) const override {
     const Evaluation<2> e(spline(), at);
     const Kinematics<G> k{e.point.X, e.point.V(), e.point.dV(), e.point.ddV()};
     const BodyJacobian<6> L = d_state(BodyFrame<G>::state(k.X, k.V, k.dV), BodyFrame<G>::rate(k));
     const auto rows = BodyFrame<G>::template pull_back<6>(k, L);
-    const auto blocks =
-        cumulative_pull_back<G, K, 6>(e.point, &spline().pairs()[e.place.first], rows.X, rows.V, rows.dV);
-    KnotRows<6> out{e.place.first, {}};
-    out.J.resize(6, 6 * K);
-    for (int m = 0; m < K; ++m) out.J.template middleCols<6>(6 * m) = blocks[static_cast<std::size_t>(m)];
-    return out;
+    return knot_rows<6>(e.place.first, cumulative_pull_back<G, K, 6>(e.point, &spline().pairs()[e.place.first], rows.X,
+                                                                     rows.V, rows.dV));
   }
 
   Bend bend(std::size_t k) const override {
@@ -88,6 +91,14 @@ class SplineCurve final : public Curve {
   static Matrix6d in_body(const Matrix3d& R_w_b, Matrix6d J) {
     if constexpr (std::is_same_v<G, SplitPose>) J.topRows<3>() = (R_w_b.transpose() * J.topRows<3>()).eval();
     return J;
+  }
+
+  template <int kRows>
+  static KnotRows<kRows> knot_rows(std::size_t first, const std::array<Eigen::Matrix<double, kRows, 6>, K>& blocks) {
+    KnotRows<kRows> rows{first, {}};
+    rows.J.resize(kRows, 6 * K);
+    for (int m = 0; m < K; ++m) rows.J.template middleCols<6>(6 * m) = blocks[static_cast<std::size_t>(m)];
+    return rows;
   }
 
   const Spline<G, K>& spline() const { return pose_spline_.spline(); }

@@ -63,12 +63,12 @@ class TrackLinearizer {
   /// The sighting's own columns at once; what it says of the point is collected in C, S and s.
   void sighting(std::size_t i) {
     const Sighting& s = track_.sightings[i];
-    const PoseSample at = state_.curve->sample(instant_of(state_, s), true);
     const std::optional<Eigen::Matrix2d> kept = whitening_of(track_, i);
-    const auto seen = see(state_, model_, s, at, reference_.anchor.point, weights_ == Weights::kKept ? &kept : nullptr);
+    const auto [seen, d_knots] =
+        see(state_, model_, s, reference_.anchor.point, weights_ == Weights::kKept ? &kept : nullptr);
     if (!seen) return lose(i);
     take(i, *seen);
-    const ViewRows<2> A = rows_of(state_, camera(i), s, at, *seen, seen->root);
+    const ViewRows<2> A = rows_of(state_, camera(i), s, *seen, d_knots);
     const Eigen::Matrix<double, 2, 4> q = seen->root * seen->scale * seen->image.d_point;
     const Vector2d r = seen->root * seen->r;
     views_.add(s.camera, local_.first_knot(i), A, A);

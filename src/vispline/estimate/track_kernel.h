@@ -48,12 +48,13 @@ struct Seen {
 };
 
 /// Empty if it is lost. `kept`: the whitening; none: that of the state itself.
-inline std::optional<Seen> see(const State& state, const TrackModel& model, const Sighting& s, const PoseSample& at,
-                               const HomogeneousPoint& point, const std::optional<Eigen::Matrix2d>* kept) {
+inline std::optional<Seen> see(const State& state, const TrackModel& model, const Sighting& s, const Pose& T_w_b,
+                               const Vector6d& twist_b, const HomogeneousPoint& point,
+                               const std::optional<Eigen::Matrix2d>* kept) {
   const Camera& camera = state.rig.cameras[s.camera];
-  const auto image = linearize_reprojection(camera, at.T_w_b, point);
+  const auto image = linearize_reprojection(camera, T_w_b, point);
   if (!image) return std::nullopt;
-  const Vector2d ydot = image->d_pose * at.twist_b;
+  const Vector2d ydot = image->d_pose * twist_b;
   const auto whitening = kept != nullptr ? *kept : newton_whitening(camera.shutter, ydot);
   if (!whitening) return std::nullopt;
   const Eigen::Matrix2d scale = *whitening / model.sigma_px[s.camera];
@@ -61,13 +62,28 @@ inline std::optional<Seen> see(const State& state, const TrackModel& model, cons
   return Seen{*image, ydot, *whitening, scale, r, std::sqrt(model.loss.weight(r.squaredNorm()))};
 }
 
-/// By the knots and the camera of the sighting, in sigmas and weighted by `root`.
-inline ViewRows<2> rows_of(const State& state, const CameraColumns& columns, const Sighting& s, const PoseSample& at,
-                           const Seen& seen, double root) {
+/// see() from where the curve is, with the derivatives by the knots, weighted.
+struct SeenByKnots {
+  std::optional<Seen> seen{};
+  KnotRows<2> d_knots{};
+};
+inline SeenByKnots see(const State& state, const TrackModel& model, const Sighting& s, const HomogeneousPoint& point,
+                       const std::optional<Eigen::Matrix2d>* kept) {
+  SeenByKnots out;
+  out.d_knots = state.curve->pull_back_pixel(instant_of(state, s), [&](const Pose& T_w_b, const Vector6d& twist_b) {
+    out.seen = see(state, model, s, T_w_b, twist_b, point, kept);
+    return out.seen ? Matrix2x6(out.seen->root * out.seen->scale * out.seen->image.d_pose) : Matrix2x6::Zero();
+  });
+  return out;
+}
+
+/// By the knots and the camera of the sighting, in sigmas and weighted.
+inline ViewRows<2> rows_of(const State& state, const CameraColumns& columns, const Sighting& s, const Seen& seen,
+                           const KnotRows<2>& d_knots) {
   const Camera& camera = state.rig.cameras[s.camera];
-  const Eigen::Matrix2d scale = root * seen.scale;
+  const Eigen::Matrix2d scale = seen.root * seen.scale;
   ViewRows<2> rows;
-  rows.set_knots(scale * seen.image.d_pose, at.d_knots);
+  rows.set_knots(d_knots);
   rows.append(columns.translation, (scale * seen.image.d_T_c_b.leftCols<3>()).eval());
   rows.append(columns.rotation, (scale * seen.image.d_T_c_b.rightCols<3>()).eval());
   if (columns.intrinsics >= 0) rows.append(columns.intrinsics, scale.lazyProduct(seen.image.d_lens).eval());
@@ -92,7 +108,7 @@ inline ViewRows<4> rows_of(const Reference& reference, const TrackModel& model, 
   const Eigen::Vector4d rate = anchor.d_pose * reference.at.twist_b;
   const double line = reference.camera->shutter.line(reference.sighting->px, reference.camera->resolution_px);
   ViewRows<4> rows;
-  rows.set_knots(anchor.d_pose, reference.at.d_knots);
+  rows.set_knots(anchor.d_pose * reference.at.d_knots);
   rows.append(columns.translation, anchor.d_T_c_b.leftCols<3>());
   rows.append(columns.rotation, anchor.d_T_c_b.rightCols<3>());
   if (columns.intrinsics >= 0) rows.append(columns.intrinsics, by_lens(reference, model));
@@ -111,7 +127,8 @@ struct ReferencePixel {
 inline std::optional<ReferencePixel> reference_pixel(const State& state, const TrackModel& model, const Track& track,
                                                      const Reference& reference,
                                                      const std::optional<Eigen::Matrix2d>* kept) {
-  const auto seen = see(state, model, *reference.sighting, reference.at, reference.anchor.point, kept);
+  const auto seen =
+      see(state, model, *reference.sighting, reference.at.T_w_b, reference.at.twist_b, reference.anchor.point, kept);
   const auto image = reference.camera->lens.linearize(state.landmarks[track.landmark].bearing_c);
   if (!seen || !image) return std::nullopt;
   return ReferencePixel{*seen, image->d_point, image->d_params};

@@ -10,8 +10,8 @@ using namespace track_kernel;
 
 void set_residual(const std::optional<Seen>& seen, SightingRows& rows) {
   rows.lost = !seen;
-  rows.r = seen ? seen->r : Vector2d(Vector2d::Zero());
-  rows.weight = seen ? seen->root * seen->root : 0.0;
+  rows.r = seen ? Vector2d(seen->root * seen->r) : Vector2d(Vector2d::Zero());
+  rows.squares = seen ? seen->r.squaredNorm() : kLostSigmas * kLostSigmas;
 }
 
 class SightingsLinearizer {
@@ -28,9 +28,9 @@ class SightingsLinearizer {
         Q_l_(landmark_columns(reference.anchor, model, state.landmarks[track.landmark].bearing_c)),
         reference_columns_(local_.columns_of(0)) {}
 
-  void view(std::size_t i, const PoseSample& at, const Seen& seen, SightingRows& rows) const {
-    const ViewRows<2> A = rows_of(state_, camera(i), track_.sightings[i], at, seen, 1.0);
-    const Eigen::Matrix<double, 2, 4> q = seen.scale * seen.image.d_point;
+  void view(std::size_t i, const Seen& seen, const KnotRows<2>& d_knots, SightingRows& rows) const {
+    const ViewRows<2> A = rows_of(state_, camera(i), track_.sightings[i], seen, d_knots);
+    const Eigen::Matrix<double, 2, 4> q = seen.root * seen.scale * seen.image.d_point;
     rows.column = local_.columns_of(i);
     rows.column.insert(rows.column.end(), reference_columns_.begin(), reference_columns_.end());
     rows.J.resize(2, A.size + Q_.size);
@@ -41,12 +41,12 @@ class SightingsLinearizer {
 
   /// Only the bearing and the lens move the reference pixel.
   void reference_view(const ReferencePixel& pixel, SightingRows& rows) const {
-    rows.J_landmark.leftCols<2>() =
-        pixel.seen.scale * pixel.d_bearing * plane_across(state_.landmarks[track_.landmark].bearing_c);
+    rows.J_landmark.leftCols<2>() = pixel.seen.root * pixel.seen.scale * pixel.d_bearing *
+                                    plane_across(state_.landmarks[track_.landmark].bearing_c);
     rows.column.clear();
     if (camera(0).intrinsics < 0) return;
     for (int i = 0; i < static_cast<int>(pixel.d_lens.cols()); ++i) rows.column.push_back(camera(0).intrinsics + i);
-    rows.J = pixel.seen.scale * pixel.d_lens;
+    rows.J = pixel.seen.root * pixel.seen.scale * pixel.d_lens;
   }
 
  private:
@@ -72,10 +72,15 @@ void evaluate_sightings(const State& state, const Columns& columns, const TrackM
   if (derivatives) linearizer.emplace(state, columns, model, track, reference);
   all.resize(track.sightings.size());
   for (std::size_t i = 1; i < all.size(); ++i) {
-    const PoseSample at = state.curve->sample(instant_of(state, track.sightings[i]), derivatives);
-    const auto seen = see(state, model, track.sightings[i], at, reference.anchor.point, nullptr);
-    set_residual(seen, all[i]);
-    if (seen && derivatives) linearizer->view(i, at, *seen, all[i]);
+    const Sighting& s = track.sightings[i];
+    if (derivatives) {
+      const auto [seen, d_knots] = see(state, model, s, reference.anchor.point, nullptr);
+      set_residual(seen, all[i]);
+      if (seen) linearizer->view(i, *seen, d_knots, all[i]);
+    } else {
+      const PoseSample at = state.curve->sample(instant_of(state, s), false);
+      set_residual(see(state, model, s, at.T_w_b, at.twist_b, reference.anchor.point, nullptr), all[i]);
+    }
   }
   if (model.unknowns == LandmarkUnknowns::kInverseDepth) return;
   const auto pixel = reference_pixel(state, model, track, reference, nullptr);

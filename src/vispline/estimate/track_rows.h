@@ -5,15 +5,15 @@
 
 namespace vispline {
 
-/// One sighting: residual in sigmas and its derivatives.
+/// One sighting: residual in sigmas and its derivatives, both times the root of the robust weight rho'. A lost one is
+/// zero and has the squares of a lost reading.
 struct SightingRows {
   Vector2d r = Vector2d::Zero();
-  double weight = 1.0;  ///< rho' of the robust loss
-  std::vector<int>
-      column{};  ///< of the view, then of the reference view: where one stands twice, its derivatives add up
+  double squares = 0.0;       ///< of the residual, before it was weighted
+  std::vector<int> column{};  ///< of the view, then of the reference view: what stands twice adds up
   Eigen::Matrix<double, 2, Eigen::Dynamic> J{};
   Eigen::Matrix<double, 2, 3> J_landmark = Eigen::Matrix<double, 2, 3>::Zero();  ///< the first size() columns count
-  bool lost = false;  ///< cannot be predicted here: no rows, the cost of a lost reading
+  bool lost = false;
 };
 
 /// Sets one for each sighting, whitened by the state itself; that of an exact reference pixel has no columns. Without

@@ -26,14 +26,9 @@ struct ViewRows {
     size = rows;
     storage.topRows(size).setZero();
   }
-  /// `d_pose` by the knots, six columns each.
-  void set_knots(const Eigen::Matrix<double, kRows, 6>& d_pose, const KnotRows<6>& d_knots) {
-    const Eigen::Matrix<double, 6, kRows> d_pose_t = d_pose.transpose();
-    for (Eigen::Index first = 0; first < d_knots.J.cols(); first += 6) {
-      storage.template middleRows<6>(first).noalias() =
-          d_knots.J.template middleCols<6>(first).transpose().lazyProduct(d_pose_t);
-    }
-    knots = size = d_knots.J.cols();
+  void set_knots(const KnotRows<kRows>& rows) {
+    knots = size = rows.J.cols();
+    storage.topRows(size) = rows.J.transpose();
   }
   /// By unknowns of the camera; nothing if they are fixed.
   template <class Block>

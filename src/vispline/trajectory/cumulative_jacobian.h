@@ -100,4 +100,22 @@ std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
   return blocks;
 }
 
+/// Reverse: L_X dX alone.
+template <class G, int K, int kRows, int kOfPoint>
+std::array<Eigen::Matrix<double, kRows, G::kDof>, K> cumulative_pull_back(
+    const CumulativePoint<G, K, double, kOfPoint>& point, const KnotPair<G>* pairs,
+    const Eigen::Matrix<double, kRows, G::kDof>& L_X) {
+  using RowBlock = Eigen::Matrix<double, kRows, G::kDof>;
+  std::array<RowBlock, K> blocks;
+  const auto& value = point.basis.value;
+  blocks[0] = L_X * G::template Ad_inverse<double>(point.rest);
+  for (std::size_t j = 0; j + 1 < K; ++j) {
+    const RowBlock L_P = j + 2 < K ? RowBlock(L_X * G::template Ad_inverse<double>(point.tail[j])) : L_X;
+    const RowBlock L_d = value[j] * (L_P * G::template left_jacobian<double>(-value[j] * pairs[j].d));
+    blocks[j + 1] = L_d * pairs[j].Jr_inv;
+    blocks[j] += G::times_ad(L_d, pairs[j].d) - blocks[j + 1];
+  }
+  return blocks;
+}
+
 }  // namespace vispline

@@ -47,6 +47,7 @@ void expect_jacobians(std::uint64_t seed, double step, double u) {
   L_V.setRandom();
   L_dV.setRandom();
   const auto pulled = cumulative_pull_back<G, K, 2>(point, pairs.data(), L_X, L_V, L_dV);
+  const auto pulled_X = cumulative_pull_back<G, K, 2>(point, pairs.data(), L_X);
   for (int m = 0; m < K; ++m) {
     const auto i = static_cast<std::size_t>(m);
     const auto columns = [&](const Eigen::MatrixXd& M) { return Eigen::MatrixXd(M.middleCols(m * G::kDof, G::kDof)); };
@@ -55,6 +56,7 @@ void expect_jacobians(std::uint64_t seed, double step, double u) {
     EXPECT_LT(relative(dense<G>(J.dV[i]), columns(ddV)), 1e-12) << "d(dV) / d knot " << m;
     EXPECT_LT(relative(pulled[i], L_X * columns(dX) + L_V * columns(dV) + L_dV * columns(ddV)), 1e-12)
         << "pull back to knot " << m;
+    EXPECT_LT(relative(pulled_X[i], L_X * columns(dX)), 1e-12) << "pull back of X alone to knot " << m;
   }
 }
 

@@ -189,15 +189,14 @@ class SplineFitter {
   void add_measurement(const Spline<G, K>& spline, std::size_t i, double huber, Equations& equations) const {
     const auto place = spline.locate(measured_.time[i]);
     const auto basis = spline.basis(place);
-    const auto point = spline.point(place, basis);
+    const auto point = spline.template point<0>(place, basis);
     const Tangent r = residual(point.X, i);
     const Tangent whitened = r.cwiseProduct(inverse_sigma_);
     const double norm = whitened_norm(r);
     const double weight = norm > huber ? std::sqrt(huber / norm) : 1.0;
     const Block J_r_inv = Block::Identity() * G::template left_jacobian_inverse<double>(-r);
     const Block L = (weight * inverse_sigma_).asDiagonal() * J_r_inv;
-    const Block zero = Block::Zero();
-    equations.add(place.first, cumulative_pull_back<G, K, G::kDof>(point, &spline.pairs()[place.first], L, zero, zero),
+    equations.add(place.first, cumulative_pull_back<G, K, G::kDof>(point, &spline.pairs()[place.first], L),
                   weight * whitened);
   }
 

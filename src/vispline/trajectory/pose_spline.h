@@ -27,6 +27,12 @@ struct BodyFrame<SE3> {
     return {X.R, X.p, X.R * v, w, X.R * (dV.template head<3>() + w.cross(v)), dV.template tail<3>()};
   }
 
+  /// Rows by the right perturbation of the pose, as rows by X.
+  template <int kRows>
+  static Eigen::Matrix<double, kRows, 6> pose_rows(const Pose& /*X*/, const Eigen::Matrix<double, kRows, 6>& L) {
+    return L;
+  }
+
   /// Velocity and angular rate, both in the body's frame.
   static Vector6d twist(const Pose& /*X*/, const Vector6d& V) { return V; }
 
@@ -61,6 +67,13 @@ struct BodyFrame<SplitPose> {
   template <class T>
   static BodyStateT<T> state(const PoseT<T>& X, const Vector6<T>& V, const Vector6<T>& dV) {
     return {X.R, X.p, V.template head<3>(), V.template tail<3>(), dV.template head<3>(), dV.template tail<3>()};
+  }
+
+  template <int kRows>
+  static Eigen::Matrix<double, kRows, 6> pose_rows(const Pose& X, const Eigen::Matrix<double, kRows, 6>& L) {
+    Eigen::Matrix<double, kRows, 6> rows = L;
+    rows.template leftCols<3>() = L.template leftCols<3>() * X.R.transpose();
+    return rows;
   }
 
   static Vector6d twist(const Pose& X, const Vector6d& V) {
