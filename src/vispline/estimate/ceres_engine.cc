@@ -115,8 +115,9 @@ ceres::Solver::Options ceres_options(const Problem& problem, const SolveOptions&
                                      int iterations_left) {
   ceres::Solver::Options ceres;
   ceres.max_num_iterations = iterations_left;
-  // Progress tells when to end, by the rule of our own solver.
-  ceres.function_tolerance = ceres.gradient_tolerance = ceres.parameter_tolerance = 0.0;
+  // A last step that gains less is found before its derivatives are, and not taken. Otherwise Progress tells when to end.
+  ceres.function_tolerance = options.relative_decrease;
+  ceres.gradient_tolerance = ceres.parameter_tolerance = 0.0;
   ceres.initial_trust_region_radius = 1.0 / options.first_lambda;
   ceres.logging_type = ceres::SILENT;
   ceres.jacobi_scaling = false;  // the damping has the scale of every unknown already
