@@ -18,10 +18,20 @@ using Tail = NormalEquations::Tail;
 
 /// Information and gradient of `wanted`, absorbed by `others` as well.
 Tail absorbed(const Tail& all, const std::vector<int>& wanted, const std::vector<int>& others) {
+  if (others.empty()) return {all.information(wanted, wanted), all.gradient(wanted)};
   const Eigen::MatrixXd across = all.information(others, wanted);
   const Eigen::LDLT<Eigen::MatrixXd> known(all.information(others, others));
   return {all.information(wanted, wanted) - across.transpose() * known.solve(across),
           all.gradient(wanted) - across.transpose() * known.solve(Eigen::VectorXd(all.gradient(others)))};
+}
+
+/// `alone`: the information when all else is known. Of numbers that go with others, or with each other, nothing is left.
+bool resolved(const Eigen::MatrixXd& left, const Eigen::VectorXd& alone) {
+  const Eigen::VectorXd least = (kLeastResolved * alone).cwiseMax(NormalEquations::kLeastInformation);
+  if ((left.diagonal().array() <= least.array()).any()) return false;
+  const Eigen::VectorXd scale = left.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<Eigen::MatrixXd> scaled(scale.asDiagonal() * left * scale.asDiagonal());
+  return scaled.vectorD().minCoeff() > kLeastResolved;
 }
 
 std::vector<int> columns_of(const Parameter& parameter, int first) {
@@ -52,8 +62,7 @@ std::vector<HeldParameter> held_parameters(const Problem& problem, const Solutio
     if (solution.parameters[p].treatment.role != Role::kFixed) continue;
     const std::vector<int> own = columns_of(all[p], first);
     const Tail left = absorbed(*tail, own, free);
-    const Eigen::VectorXd least = kLeastResolved * alone(own);
-    if ((left.information.diagonal().array() <= least.array()).any()) continue;
+    if (!resolved(left.information, alone(own))) continue;
     const Eigen::MatrixXd covariance = left.information.inverse();
     const Eigen::VectorXd change = -covariance * left.gradient;
     const double gain = -change.dot(left.gradient), share = gain / (2.0 * solution.cost);
