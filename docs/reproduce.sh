@@ -231,10 +231,12 @@ table_coverage() {
   done
   awk -F'  +' '
     /^class: / { class = substr($0, 8); ++runs[class] }
+    class ~ /^converged/ && /^against the truth: NEES/ { split($0, w, " "); nees += w[5]; numbers = w[7]; ++all }
     class ~ /^converged/ && /^(cam0\.|imu0\..*bias)/ && NF >= 7 { ++n[$1]; s[$1] += $6 * $6; within[$1] += $6 * $6 < 3.8416; if ($6 * $6 > 9) ++far }
     END {
       for (c in runs) printf "%s: %d\n", c, runs[c]
       for (k in n) { printf "%-26s in 95 %%: %5.1f %%   rms %.2f sigma\n", k, 100 * within[k] / n[k], sqrt(s[k] / n[k]); a += within[k]; b += n[k]; q += s[k] }
+      if (all) printf "NEES of %d numbers: %.3f, right sigmas give 1 +- %.3f (one sigma)\n", numbers, nees / all, sqrt(2 / (numbers * all))
       printf "all parameters: in 95 %%: %.1f %%, mean square %.3f, beyond 3 sigma %.2f %%\n", 100 * a / b, q / b, 100 * far / b
     }' "$OUT"/coverage*/E.txt
 }

@@ -42,6 +42,8 @@ TEST(Assess, GoodDataConverge) {
   EXPECT_LT(result.gradient_sigmas, 0.05);
   EXPECT_NEAR(result.curvature_low, 1.0, 0.05);
   EXPECT_NEAR(result.curvature_high, 1.0, 0.05);
+  ASSERT_TRUE(result.nees);
+  EXPECT_NEAR(*result.nees, 1.0, 4.0 * std::sqrt(2.0 / static_cast<double>(result.correlation.rows())));
   ASSERT_FALSE(result.parameters.empty());
   EXPECT_EQ(result.parameters.back().name, "cam0.time_offset");
   for (const EstimatedParameter& p : result.parameters) {

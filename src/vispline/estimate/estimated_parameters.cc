@@ -71,6 +71,18 @@ class Reporter {
   const State* truth_;
 };
 
+/// Of right sigmas and correlations 1 on average.
+void report_nees(const Solution& solution, const State& truth, CalibrationResult& result) {
+  if (solution.covariance.size() == 0) return;
+  Eigen::VectorXd error(solution.covariance.rows());
+  for (const Parameter& parameter : solution.parameters) {
+    if (parameter.column < 0) continue;
+    error.segment(parameter.column - solution.columns.layout.first_parameter, parameter.size) =
+        parameter.delta(solution.state, truth);
+  }
+  result.nees = error.dot(solution.covariance.ldlt().solve(error)) / static_cast<double>(error.size());
+}
+
 void report_correlation(const Solution& solution, CalibrationResult& result) {
   for (const NamedComponent& component : named_components(solution.parameters, solution.state)) {
     result.correlation_labels.push_back(component.label());
@@ -96,6 +108,7 @@ void report_parameters(const State& start, const Solution& solution, const State
     }
   }
   report_correlation(solution, result);
+  if (truth) report_nees(solution, *truth, result);
 }
 
 }  // namespace vispline

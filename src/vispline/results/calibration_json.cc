@@ -113,6 +113,7 @@ std::string calibration_json(const CalibrationResult& result, const JsonContext&
   document.set("held", list(result.held)).set("residuals", list(result.residuals));
   document.set("weak_directions", list(result.weak)).set("initialisation", list(result.stages));
   document.set("correlation", correlation(result)).set("condition", result.condition);
+  if (result.nees) document.set("nees", *result.nees);
   document.set("gradient_sigmas", result.gradient_sigmas);
   document.set("curvature", std::vector<double>{result.curvature_low, result.curvature_high});
   JsonObject knots, cpu;

@@ -103,6 +103,8 @@ struct CalibrationResult {
   std::vector<std::string> correlation_labels{};  ///< "cam0.T_c_i.rotation x"
   Eigen::MatrixXd correlation{};                  ///< empty without full rank
   double condition = 0.0;                         ///< of the correlation matrix
+  std::optional<double>
+      nees{};  ///< squared error of all numbers by their covariance, over their number; with the truth
   double gradient_sigmas = 0.0;  ///< farthest that the cost's lowest point lies from a parameter, in its sigma
   double curvature_low = 1.0;    ///< of the cost along parameters, by differences over that of the information matrix
   double curvature_high = 1.0;

@@ -58,6 +58,7 @@ inline CalibrationResult calibration_result() {
   gyro.residual = {{0.001, -0.002}, {0.002, 0.0}, {-0.001, 0.001}};
   gyro.sigma = gyro.rig_sigma = gyro.rms = 0.0015;
   r.residuals.push_back(gyro);
+  r.nees = 0.97;
   r.held.push_back({"cam0.line_delay", "s", 0.691, {53.5e-6}, {0.29e-6}});
   r.weak.push_back({true,
                     "cam0.T_c_i.translation along y: 41 mm",

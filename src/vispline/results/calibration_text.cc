@@ -137,6 +137,10 @@ std::string calibration_text(const CalibrationResult& result) {
   for (const std::string& reason : result.reasons) text += "  " + reason + "\n";
   if (!result.stages.empty()) text += "\n" + stage_table(result);
   if (!result.parameters.empty()) text += "\n" + parameter_table(result);
+  if (result.nees) {
+    text += "against the truth: NEES " + number_text(*result.nees, 3) + " of " +
+            std::to_string(result.correlation.rows()) + " numbers, 1 on average if sigmas are right\n";
+  }
   if (!result.residuals.empty()) text += "\n" + residual_table(result);
   if (!result.held.empty()) text += "\n" + held_table(result);
   if (!result.weak.empty()) text += "\n";
