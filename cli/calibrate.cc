@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "estimation_output.h"
+#include "process_memory.h"
 #include "result_folder.h"
 #include "rig_scene.h"
 #include "verbs.h"
@@ -35,6 +36,7 @@ TargetPoints read_target(const std::string& path, CalibrateFlags& flags) {
 }
 
 void run(CalibrateFlags& flags) {
+  keep_freed_memory();
   require(!flags.rig.empty(), "--rig with the start values");
   probe_result_folder(flags.out, output_options(flags.session));
   const RigDocument start = flags.load_rig();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "estimation_output.h"
+#include "process_memory.h"
 #include "result_folder.h"
 #include "verbs.h"
 #include "vispline/estimate/knot_spacing.h"
@@ -72,6 +73,7 @@ void read_tracks_of(EstimateFlags& flags, const Rig& rig, Recording& recording) 
 }
 
 void run(EstimateFlags& flags) {
+  keep_freed_memory();
   probe_result_folder(flags.out, output_options(flags.session));
   const RigDocument start = flags.load_rig();
   Recording recording;
