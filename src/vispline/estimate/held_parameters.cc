@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "vispline/estimate/normal_equations.h"
 
@@ -25,7 +26,8 @@ Tail absorbed(const Tail& all, const std::vector<int>& wanted, const std::vector
           all.gradient(wanted) - across.transpose() * known.solve(Eigen::VectorXd(all.gradient(others)))};
 }
 
-/// `alone`: the information when all else is known. Of numbers that go with others, or with each other, nothing is left.
+/// `alone`: the information when all else is known. Of numbers that go with others, or with each other, nothing is
+/// left.
 bool resolved(const Eigen::MatrixXd& left, const Eigen::VectorXd& alone) {
   const Eigen::VectorXd least = (kLeastResolved * alone).cwiseMax(NormalEquations::kLeastInformation);
   if ((left.diagonal().array() <= least.array()).any()) return false;
@@ -33,6 +35,8 @@ bool resolved(const Eigen::MatrixXd& left, const Eigen::VectorXd& alone) {
   const Eigen::LDLT<Eigen::MatrixXd> scaled(scale.asDiagonal() * left * scale.asDiagonal());
   return scaled.vectorD().minCoeff() > kLeastResolved;
 }
+
+bool is_held(const Parameter& parameter) { return parameter.treatment.role == Role::kFixed; }
 
 std::vector<int> columns_of(const Parameter& parameter, int first) {
   std::vector<int> columns;
@@ -51,21 +55,25 @@ std::vector<HeldParameter> held_parameters(const Problem& problem, const Solutio
   const auto tail = equations.tail(n, kDamping);
   std::vector<HeldParameter> held;
   if (!tail) return held;
-  std::vector<int> free;
+  std::vector<int> free, fixed;
   for (std::size_t p = 0; p < all.size(); ++p) {
-    if (solution.parameters[p].treatment.role == Role::kFixed) continue;
     const std::vector<int> own = columns_of(all[p], first);
-    free.insert(free.end(), own.begin(), own.end());
+    std::vector<int>& role = is_held(solution.parameters[p]) ? fixed : free;
+    role.insert(role.end(), own.begin(), own.end());
   }
-  const Eigen::VectorXd alone = equations.diagonal().tail(n);
+  if (fixed.empty()) return held;
+  const Tail left = absorbed(*tail, fixed, free);
+  const Eigen::VectorXd alone = equations.diagonal().tail(n)(fixed);
+  Eigen::Index next = 0;
   for (std::size_t p = 0; p < all.size(); ++p) {
-    if (solution.parameters[p].treatment.role != Role::kFixed) continue;
-    const std::vector<int> own = columns_of(all[p], first);
-    const Tail left = absorbed(*tail, own, free);
-    if (!resolved(left.information, alone(own))) continue;
-    const Eigen::MatrixXd covariance = left.information.inverse();
-    const Eigen::VectorXd change = -covariance * left.gradient;
-    const double gain = -change.dot(left.gradient), share = gain / (2.0 * solution.cost);
+    if (!is_held(solution.parameters[p])) continue;
+    const Eigen::Index size = all[p].size, begin = std::exchange(next, next + size);
+    const Eigen::MatrixXd information = left.information.block(begin, begin, size, size);
+    const Eigen::VectorXd gradient = left.gradient.segment(begin, size);
+    if (!resolved(information, alone.segment(begin, size))) continue;
+    const Eigen::MatrixXd covariance = information.inverse();
+    const Eigen::VectorXd change = -covariance * gradient;
+    const double gain = -change.dot(gradient), share = gain / (2.0 * solution.cost);
     if (!(gain > kLeastGain && share > kLeastShare)) continue;
     const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
     held.push_back({all[p].name, all[p].unit, share, {change.begin(), change.end()}, {sigma.begin(), sigma.end()}});

@@ -49,8 +49,7 @@ class Blocks {
 Eigen::MatrixXd scores(const Problem& problem, const Solution& solution, const Blocks& blocks, int count) {
   Eigen::MatrixXd score = Eigen::MatrixXd::Zero(solution.columns.layout.columns, count);
   const auto add = [&](const std::vector<int>& column, const Eigen::VectorXd& g, Time time) {
-    for (std::size_t c = 0; c < column.size(); ++c)
-      score(column[c], blocks.of(time)) += g(static_cast<Eigen::Index>(c));
+    score(column, blocks.of(time)) += g;
   };
   Rows rows;
   for (const auto& measurement : problem.measurements) {

@@ -62,16 +62,6 @@ std::vector<LocalEquations> linearize_measurements(const Problem& problem, const
   return local;
 }
 
-void scatter(const std::vector<int>& column, const Eigen::VectorXd& local, Eigen::VectorXd& global) {
-  for (std::size_t i = 0; i < column.size(); ++i) global(column[i]) += local(static_cast<Eigen::Index>(i));
-}
-
-Eigen::VectorXd gathered(const std::vector<int>& column, const Eigen::VectorXd& global) {
-  Eigen::VectorXd local(static_cast<Eigen::Index>(column.size()));
-  for (std::size_t i = 0; i < column.size(); ++i) local(static_cast<Eigen::Index>(i)) = global(column[i]);
-  return local;
-}
-
 }  // namespace
 
 CostAt cost_at(const Problem& problem, const State& state, const Columns& columns, std::size_t threads) {
@@ -110,7 +100,7 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
   g_.setZero(columns.layout.columns);
   for (const LocalEquations& m : measured) {
     H_.add(m.column, m.H);
-    scatter(m.column, m.g, g_);
+    g_(m.column) += m.g;
     cost_ += m.cost;
     lost_ += m.lost;
   }
@@ -125,7 +115,7 @@ NormalEquations::NormalEquations(const Problem& problem, const State& state, con
   for (const ViewSums& sums : views) sums.add_to(H_);
   for (const TrackBlock& track : tracks_) {
     if (track.C.size() > 0) H_.add_products(track.column, track.C, track.reference, track.Q);
-    scatter(track.column, track.g, g_);
+    g_(track.column) += track.g;
     cost_ += track.cost;
     lost_ += track.lost;
   }
@@ -155,7 +145,7 @@ bool NormalEquations::eliminate(double lambda, Reduced& reduced) const {
     reduced.L_inverse[t].topLeftCorner<kSize, kSize>() = L_inverse;
     const Eigen::Matrix<double, Eigen::Dynamic, kSize> P_t = track.W_t.lazyProduct(L_inverse.transpose());
     panel.add(track.column, P_t);
-    scatter(track.column, -P_t.lazyProduct(L_inverse * track.g_l.head<kSize>()), reduced.g);
+    reduced.g(track.column) -= P_t.lazyProduct(L_inverse * track.g_l.head<kSize>());
   }
   panel.flush();
   return true;
@@ -177,12 +167,12 @@ double NormalEquations::substitute_of(double lambda, const Reduced& reduced, boo
     const TrackBlock& track = tracks_[t];
     Vector rhs = Vector::Zero();
     if (gradient) rhs = -track.g_l.head<kSize>();
-    rhs -= (track.W_t.transpose() * gathered(track.column, step.delta)).head<kSize>();
+    rhs -= (track.W_t.transpose() * Eigen::VectorXd(step.delta(track.column))).head<kSize>();
     const Eigen::Matrix<double, kSize, kSize> L_inverse = reduced.L_inverse[t].topLeftCorner<kSize, kSize>();
     Vector delta = L_inverse.transpose() * (L_inverse * rhs);
     sum += delta.dot(landmark_damping<kSize>(track, lambda).cwiseProduct(delta) - track.g_l.head<kSize>());
     if (track.carry_t.size() > 0)
-      delta -= (track.carry_t.transpose() * gathered(track.reference, step.delta)).head<kSize>();
+      delta -= (track.carry_t.transpose() * Eigen::VectorXd(step.delta(track.reference))).head<kSize>();
     step.delta_landmark[t].head<kSize>() = delta;
   }
   return sum;

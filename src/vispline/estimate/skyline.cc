@@ -38,17 +38,6 @@ void Skyline::allocate() {
   for (int i = size_; i < tiles() * kTile; ++i) tile(i / kTile, i / kTile)(i % kTile, i % kTile) = 1.0;
 }
 
-Skyline Skyline::zeros() const {
-  Skyline zeros = *this;
-  std::fill(zeros.data_.begin(), zeros.data_.end(), 0.0);
-  return zeros;
-}
-
-Skyline& Skyline::operator+=(const Skyline& other) {
-  for (std::size_t i = 0; i < data_.size(); ++i) data_[i] += other.data_[i];
-  return *this;
-}
-
 std::vector<Skyline::Run> Skyline::runs_of(std::span<const int> columns) {
   std::vector<Run> runs;
   for (int i = 0; i < static_cast<int>(columns.size()); ++i) {
@@ -80,16 +69,6 @@ void Skyline::add_product(const Run& rows, const Rows& A_t, const Run& columns, 
   const auto stride = [](const Rows& M) { return static_cast<int>(M.outerStride()); };
   tiles::add_product({A_t.data() + rows.local, stride(A_t)}, rows.size, {B_t.data() + columns.local, stride(B_t)},
                      columns.size, static_cast<int>(A_t.cols()), {corner(rows, columns), kTile});
-}
-
-void Skyline::add_rows(std::span<const int> columns, const Rows& J_t) {
-  const std::vector<Run> runs = runs_of(columns);
-  for (std::size_t b = 0; b < runs.size(); ++b) {
-    for (std::size_t a = b; a < runs.size(); ++a) {
-      const bool below = runs[a].global >= runs[b].global;
-      add_product(runs[below ? a : b], J_t, runs[below ? b : a], J_t);
-    }
-  }
 }
 
 void Skyline::add_products(std::span<const int> a, const Rows& A_t, std::span<const int> b, const Rows& B_t) {

@@ -30,15 +30,9 @@ class Skyline {
   void couple(std::span<const int> columns);
   /// Zeros in all the place that was asked for.
   void allocate();
-  /// As much place, all zeros.
-  Skyline zeros() const;
-  /// Of the same place.
-  Skyline& operator+=(const Skyline& other);
   /// Adds H, of which the lower triangle counts, at the given rows and columns.
   void add(std::span<const int> columns, const Eigen::Ref<const Eigen::MatrixXd>& H);
   using Rows = Eigen::Ref<const Eigen::MatrixXd>;  ///< transposed: as many rows as columns of the system
-  /// Adds J^T J.
-  void add_rows(std::span<const int> columns, const Rows& J_t);
   /// Adds A^T B at (a, b) and its transpose at (b, a).
   void add_products(std::span<const int> a, const Rows& A_t, std::span<const int> b, const Rows& B_t);
   Eigen::VectorXd diagonal() const;

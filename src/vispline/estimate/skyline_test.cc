@@ -83,7 +83,7 @@ TEST(Skyline, ProductsOfRows) {
   };
   const Eigen::MatrixXd A_t = matrix(a.size(), 3), B_t = matrix(b.size(), 3), J_t = matrix(a.size(), 2);
   skyline.add_products(a, A_t, b, B_t);
-  skyline.add_rows(a, J_t);
+  skyline.add(a, J_t * J_t.transpose());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3, 161), B = A, J = Eigen::MatrixXd::Zero(2, 161);
   for (std::size_t i = 0; i < a.size(); ++i) {
     A.col(a[i]) = A_t.row(static_cast<Eigen::Index>(i));
@@ -101,6 +101,7 @@ TEST(Skyline, CovarianceOfTheLastUnknowns) {
   for (const int n : {1, 7, 50}) {
     EXPECT_LT((e.skyline.tail_of_inverse(n) - inverse.bottomRightCorner(n, n)).norm(),
               1e-10 * inverse.bottomRightCorner(n, n).norm());
+    EXPECT_TRUE((e.skyline.tail_information(n) * e.skyline.tail_of_inverse(n)).isIdentity(1e-9));
   }
 }
 

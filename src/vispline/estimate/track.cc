@@ -50,6 +50,10 @@ class TrackLinearizer {
   const InverseDepthLandmark& landmark() const { return state_.landmarks[track_.landmark]; }
   const CameraColumns& camera(std::size_t i) const { return cameras_[track_.sightings[i].camera]; }
 
+  const std::optional<Eigen::Matrix2d>* if_kept(const std::optional<Eigen::Matrix2d>& whitening) const {
+    return weights_ == Weights::kKept ? &whitening : nullptr;
+  }
+
   void lose(std::size_t i) {
     ++block_.lost;
     block_.cost += lost_cost(model_);
@@ -64,8 +68,7 @@ class TrackLinearizer {
   void sighting(std::size_t i) {
     const Sighting& s = track_.sightings[i];
     const std::optional<Eigen::Matrix2d> kept = whitening_of(track_, i);
-    const auto [seen, d_knots] =
-        see(state_, model_, s, reference_.anchor.point, weights_ == Weights::kKept ? &kept : nullptr);
+    const auto [seen, d_knots] = see(state_, model_, s, reference_.anchor.point, if_kept(kept));
     if (!seen) return lose(i);
     take(i, *seen);
     const ViewRows<2> A = rows_of(state_, camera(i), s, *seen, d_knots);
@@ -102,8 +105,7 @@ class TrackLinearizer {
   /// Only the bearing and the lens move it; the bearing is the point in the world less what the view carries.
   void reference_row(Eigen::Index columns, Eigen::Index knots) {
     const std::optional<Eigen::Matrix2d> kept = whitening_of(track_, 0);
-    const auto pixel =
-        reference_pixel(state_, model_, track_, reference_, weights_ == Weights::kKept ? &kept : nullptr);
+    const auto pixel = reference_pixel(state_, model_, track_, reference_, if_kept(kept));
     if (!pixel) return lose(0);
     take(0, pixel->seen);
     const Eigen::Matrix2d scale = pixel->seen.root * pixel->seen.scale;

@@ -22,7 +22,6 @@ class SightingsLinearizer {
         cameras_(columns.parameters.cameras),
         model_(model),
         track_(track),
-        reference_(reference),
         local_(state, columns, track),
         Q_(rows_of(reference, model, camera(0))),
         Q_l_(landmark_columns(reference.anchor, model, state.landmarks[track.landmark].bearing_c)),
@@ -56,7 +55,6 @@ class SightingsLinearizer {
   const std::vector<CameraColumns>& cameras_;
   const TrackModel& model_;
   const Track& track_;
-  const Reference& reference_;
   TrackColumns local_;
   ViewRows<4> Q_;
   LandmarkRows Q_l_;
