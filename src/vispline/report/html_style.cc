@@ -12,7 +12,7 @@ std::string_view page_style() {
 html{-webkit-text-size-adjust:100%}
 body{margin:0;background:var(--paper);color:var(--ink);
 font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
-body>*{max-width:52rem;margin:0 auto;padding:0 1.25rem}
+body>*{max-width:55rem;margin:0 auto;padding:0 1.25rem}
 header{padding-top:3rem}
 h1{margin:0;font-size:2rem;line-height:1.2;letter-spacing:-.015em;overflow-wrap:anywhere}
 h2{margin:3.25rem 0 .75rem;padding-top:1.25rem;border-top:1px solid var(--line);font-size:1.3rem;line-height:1.3;
